@@ -1,0 +1,1 @@
+"""What does the theory promise? Closed forms, theorems as objects, planning (k, r)."""

@@ -1,0 +1,161 @@
+"""The Pareto frontier: all pairs (k, r) that reach a target and waste neither."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .promise import Promise
+
+_CELLS = 256  # pairs evaluated at once
+_FADED = 1e-20  # a top that adds less than this share of the target to CR - 1 is over
+
+
+@dataclass(frozen=True)
+class Search:
+    """How far to look.
+
+    Parameters
+    ----------
+    max_k, max_r : int
+        Largest horizon and radius considered.
+    progress : callable, optional
+        Called with a short text now and then.
+    """
+
+    max_k: int = 100_000
+    max_r: int = 10_000
+    progress: Callable[[str], None] | None = None
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A pair that reaches the target: ``CR <= 1 + excess`` there."""
+
+    k: int
+    r: int
+    excess: float
+    variant: str = ""
+
+
+@dataclass(frozen=True)
+class Frontier:
+    """The Pareto-minimal pairs by increasing k, or why there are none."""
+
+    pairs: tuple[Pair, ...]
+    reason: str = ""
+
+
+def frontier(promise: Promise, target: float, search: Search | None = None) -> Frontier:
+    """Return all Pareto-minimal (k, r) with a certified ``CR <= target``.
+
+    Horizons are taken in increasing order; for each the least radius below the last one
+    found is looked for. The floors of the promise say where to begin and when no larger
+    horizon can lower the radius; where the bound still depends on k after the top has
+    faded (to ``1e-20`` of the target) the search ends too. Every pair is confirmed in
+    interval arithmetic.
+
+    Parameters
+    ----------
+    promise : Promise
+        Bound to plan with.
+    target : float
+        Competitive ratio to reach, ``> 1``.
+    search : Search, optional
+        Limits.
+    """
+    search = search or Search()
+    excess = target - 1  # exact (Sterbenz) for targets up to 2, rounded to nearest beyond
+    k = _first_horizon(promise, excess, search.max_k)
+    if k is None:
+        return Frontier((), f"no horizon up to {search.max_k} is long enough at any radius")
+    pairs: list[Pair] = []
+    low, high = 1, search.max_r + 1
+    while k <= search.max_k:
+        if search.progress is not None:
+            search.progress(f"k = {k}, r < {high}")
+        if k >= promise.steps:
+            low = _first(_is_open(promise, k, excess), low, high)
+        if low >= high:
+            break
+        if pairs:  # few radii are left: many horizons at once
+            block = np.arange(k, min(k + 1 + _CELLS // (high - low), search.max_k + 1))
+            found = _by_block(promise, block, low, high, target)
+        else:
+            block = np.array([k])
+            pair = _first_radius(promise, k, low, high, target)
+            found = [pair] if pair is not None else []
+        pairs += found
+        high = pairs[-1].r if pairs else high
+        k = int(block[-1]) + 1
+        if float(promise.floor_in_k(k)) < _FADED * excess and k > promise.steps:
+            break
+    if pairs:
+        return Frontier(tuple(pairs))
+    return Frontier((), f"no radius up to {search.max_r} is large enough at any horizon")
+
+
+def _is_open(promise: Promise, k: int, excess: float) -> Callable[[Any], Any]:
+    """Return the test whether a radius may still do at some horizon from k on."""
+    return lambda r: ~(promise.floor_in_r(k, r) > excess)  # an undefined floor rules nothing out
+
+
+def _by_block(promise: Promise, block: Any, low: int, high: int, target: float) -> list[Pair]:
+    """Return the pairs that lower the radius further, over a block of horizons."""
+    radii = np.arange(low, high)
+    shape = (block.size, radii.size)
+    values = np.broadcast_to(promise.excess(block[:, None], radii[None, :]), shape)
+    pairs: list[Pair] = []
+    for i, j in zip(*np.nonzero(values <= target - 1), strict=True):  # by k, then by r
+        k, r = int(block[i]), int(radii[j])
+        if r < high and promise.certified(k, r, target):
+            pairs.append(Pair(k, r, float(values[i, j]), promise.variant))
+            high = r
+    return pairs
+
+
+def _first_horizon(promise: Promise, excess: float, max_k: int) -> int | None:
+    """Return the least k whose floor does not exceed the target; the floor decreases."""
+    low, high = 1, 2
+    while float(promise.floor_in_k(high)) > excess:
+        if high >= max_k:
+            return None
+        low, high = high, min(2 * high, max_k)
+    while high - low > 1:
+        middle = (low + high) // 2
+        if float(promise.floor_in_k(middle)) > excess:
+            low = middle
+        else:
+            high = middle
+    return high
+
+
+def _first(good: Callable[[Any], Any], low: int, high: int) -> int:
+    """Return the least r in [low, high) that is good, else ``high``; in growing chunks."""
+    size = 8
+    while low < high:
+        radii = np.arange(low, min(low + size, high))
+        hits = np.flatnonzero(good(radii))
+        if hits.size:
+            return int(radii[hits[0]])
+        low, size = low + size, min(2 * size, 256)
+    return high
+
+
+def _first_radius(promise: Promise, k: int, low: int, high: int, target: float) -> Pair | None:
+    """Return the pair of the least radius in [low, high) with a certified bound."""
+    excess = target - 1
+    size = 8
+    while low < high:
+        radii = np.arange(low, min(low + size, high))
+        values = np.broadcast_to(promise.excess(k, radii), radii.shape)
+        for i in np.flatnonzero(values <= excess):
+            if promise.certified(k, int(radii[i]), target):
+                return Pair(k, int(radii[i]), float(values[i]), promise.variant)
+        low, size = low + size, min(2 * size, 256)
+        if promise.hopeless(k, int(radii[-1]), excess):
+            return None
+    return None

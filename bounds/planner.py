@@ -1,0 +1,232 @@
+"""Which horizon and radius reach a target competitive ratio, in every tier."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from ..graphs.errors import InputError
+from .constants import Regrouped, Tight
+from .frontier import Pair, Search, frontier
+from .paper_promise import PaperPromise
+from .promise import Promise
+from .ratio import ratio_parts, smoothness
+from .reach import reach
+from .sharp_promise import SharpPromise
+from .theorem import Setting, Tier
+from .theorems.coro_cr_lpc import implied
+from .tight import Choice, choice, optimise
+
+TIERS: tuple[Tier, ...] = ("stated", "repaired", "sharp")
+
+
+@dataclass(frozen=True)
+class Prices:
+    """What one step of horizon and one hop of radius cost; none may be negative."""
+
+    k: float = 1.0
+    r: float = 1.0
+
+    def __post_init__(self) -> None:
+        for name in ("k", "r"):
+            value = getattr(self, name)
+            if not (np.isfinite(value) and value >= 0):
+                raise InputError(f"price of {name} = {value}: a finite number >= 0 is needed")
+
+    def of(self, pair: Pair) -> float:
+        """Return the price of a pair."""
+        return self.k * pair.k + self.r * pair.r
+
+
+@dataclass(frozen=True)
+class Bottleneck:
+    """Which single increment lowers the bound more, at the pair of a plan.
+
+    Attributes
+    ----------
+    name : {"k", "r", "both", "neither"}
+        ``both`` if they lower it equally, ``neither`` if none lowers it.
+    excess_k, excess_r : float
+        Bound on ``CR - 1`` at ``(k+1, r)`` and at ``(k, r+1)``.
+    """
+
+    name: Literal["k", "r", "both", "neither"]
+    excess_k: float
+    excess_r: float
+
+
+@dataclass(frozen=True)
+class TierPlan:
+    """The plan of one tier.
+
+    Attributes
+    ----------
+    tier : str
+        "stated", "repaired" or "sharp".
+    guarantee : bool
+        Whether the pairs are known to reach the target.
+    pair : Pair or None
+        The one of least ``k + r``, then least k; None if the target is out of reach.
+    frontier : tuple of Pair
+        All Pareto-minimal pairs, by increasing k.
+    cheapest : Pair or None
+        The one of least price, then least ``k + r``, then least k.
+    bottleneck : Bottleneck or None
+        At ``pair``.
+    work : tuple of int
+        For each pair of the frontier ``(k-1) max_v |N_v^{r-1}|``: the free variables
+        (blocks of n numbers) of the largest local problem.
+    reason : str
+        Why there is no pair, or no guarantee; else empty.
+    """
+
+    tier: Tier
+    guarantee: bool
+    pair: Pair | None
+    frontier: tuple[Pair, ...]
+    cheapest: Pair | None
+    bottleneck: Bottleneck | None
+    work: tuple[int, ...]
+    reason: str
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Plans of all tiers for one target."""
+
+    target: float
+    setting: Setting
+    tiers: tuple[TierPlan, ...]
+    prices: Prices = field(default_factory=Prices)
+
+    def __getitem__(self, tier: str) -> TierPlan:
+        for plan in self.tiers:
+            if plan.tier == tier:
+                return plan
+        raise KeyError(f"no plan for tier {tier!r}; there are: {', '.join(TIERS)}")
+
+
+def plan(
+    setting: Setting,
+    target: float,
+    *,
+    prices: Prices | None = None,
+    search: Search | None = None,
+    tiers: tuple[Tier, ...] = TIERS,
+) -> Plan:
+    """Return the least k and r, and the whole Pareto frontier, for a target.
+
+    Parameters
+    ----------
+    setting : Setting
+        Scalar parameters and the network; ``unconstrained`` allows the certificates
+        ``smooth`` and ``mix`` in the sharp tier. Its k and r are not used.
+    target : float
+        Competitive ratio to reach, finite and ``> 1``.
+    prices : Prices, optional
+        Price per unit of k and of r, for `TierPlan.cheapest`.
+    search : Search, optional
+        Largest k and r considered.
+    tiers : tuple of str, optional
+        Which tiers to plan.
+
+    Returns
+    -------
+    Plan
+
+    Raises
+    ------
+    InputError
+        If the target is not a finite number above 1, or the parameters are arrays.
+    """
+    if not (np.isfinite(target) and target > 1):
+        raise InputError(f"target = {target}: a finite competitive ratio > 1 is needed")
+    if any(np.ndim(v) for v in (setting.a_T, setting.a_S, setting.parameters.l_f)):
+        raise InputError("a plan takes scalar mu, l_f, l_T, l_S; call it once for each set")
+    prices, search = prices or Prices(), search or Search()
+    plans = tuple(_tier(tier, setting, float(target), prices, search) for tier in tiers)
+    return Plan(float(target), setting, plans, prices)
+
+
+def _tier(tier: Tier, s: Setting, target: float, prices: Prices, search: Search) -> TierPlan:
+    pairs: list[Pair] = []
+    promises: dict[str, Promise] = {}
+    reason = ""
+    for promise in _promises(tier, s, pairs, target):
+        found = frontier(promise, target, search)
+        pairs += found.pairs
+        promises.update({pair.variant: promise for pair in found.pairs})
+        reason = reason or found.reason
+    best = _pareto(pairs)
+    doubts = [h.text for h in implied(s) if h.fails] if tier == "stated" else []
+    if best:
+        reason = f"not a guarantee here: fails that {'; '.join(doubts)}" if doubts else ""
+    chosen = min(best, key=_size, default=None)
+    return TierPlan(
+        tier=tier,
+        guarantee=bool(best) and not doubts,
+        pair=chosen,
+        frontier=best,
+        cheapest=min(best, key=lambda p: (prices.of(p), _size(p)), default=None),
+        bottleneck=_bottleneck(promises[chosen.variant], chosen) if chosen else None,
+        work=tuple((p.k - 1) * s.growth.ball(p.r - 1) for p in best),
+        reason=reason,
+    )
+
+
+def _size(p: Pair) -> tuple[int, int]:
+    return p.k + p.r, p.k
+
+
+def _pareto(pairs: list[Pair]) -> tuple[Pair, ...]:
+    """Return the pairs that no other one matches or beats in both k and r, by k."""
+    best: list[Pair] = []
+    for p in sorted(pairs, key=lambda p: (p.k, p.r, p.excess)):
+        if not best or p.r < best[-1].r:
+            best.append(p)
+    return tuple(best)
+
+
+def _bottleneck(promise: Promise, p: Pair) -> Bottleneck:
+    longer = float(promise.excess(p.k + 1, p.r))
+    wider = float(promise.excess(p.k, p.r + 1))
+    if min(longer, wider) >= p.excess:
+        return Bottleneck("neither", longer, wider)
+    if longer == wider:
+        return Bottleneck("both", longer, wider)
+    return Bottleneck("k" if longer < wider else "r", longer, wider)
+
+
+def _promises(tier: Tier, s: Setting, found: list[Pair], target: float) -> Iterator[Promise]:
+    """Yield the statements of a tier; ``found`` holds what the earlier ones reached."""
+    if tier == "sharp":
+        for kind in ("vi", "mix", "smooth") if s.unconstrained else ("vi",):
+            yield SharpPromise(s, kind)
+        return
+    yield PaperPromise(s, Regrouped(tier), "thm:networked-exp-decay")
+    if tier == "repaired":
+        for turn in range(3):  # b_1, b_2 for the best pair so far, and again for the new one
+            at = min(found, key=_size, default=Pair(10, 10, np.inf))
+            b_1, b_2 = optimise(s.growth, s.a_T, s.a_S, _ratio_at(s, at))
+            if min(choice(s.growth, s.a_T, s.a_S, b_1, b_2).margins) < 0:
+                return
+            name = "thm:networked-exp-decay-tight"
+            yield PaperPromise(s, Tight(tier, b_1, b_2), f"{name} b_1={b_1:.6g} b_2={b_2:.6g}")
+            if turn and min(found, key=_size, default=None) == at:
+                return
+
+
+def _ratio_at(s: Setting, at: Pair):
+    """Return the objective of ``b_1, b_2``: the ratio at a pair, whether or not it closes."""
+    whole = Regrouped("repaired")(s).whole
+    weight = smoothness(s.parameters.condition, s.a_T, s.a_S, s.max_degree)
+
+    def excess(found: Choice):
+        size = reach(s.growth, found.local.rho_S, at.r)
+        p = ratio_parts(found.local, whole, weight, size, at.k, at.r)
+        return p.lateral + p.top + p.condition
+
+    return excess

@@ -1,0 +1,46 @@
+"""What a planner asks of a tier: bounds on ``CR - 1`` over many (k, r), and their floors."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float64]
+
+
+class Promise(ABC):
+    """A bound on ``CR - 1`` as a function of k and r, fast in floats.
+
+    Attributes
+    ----------
+    variant : str
+        Which statement, for the plan to name.
+    steps : int
+        From this horizon on `floor_in_r` does not decrease with k.
+    """
+
+    variant: str
+    steps: int = 2
+
+    @abstractmethod
+    def excess(self, k: Any, r: Any) -> Floats:
+        """Return the bound on ``CR - 1``, infinite where there is none."""
+
+    @abstractmethod
+    def floor_in_k(self, k: Any) -> Floats:
+        """Return a number that decreases in k and is below `excess` at every ``k' <= k``."""
+
+    @abstractmethod
+    def floor_in_r(self, k: int, r: Any) -> Floats:
+        """Return a number below `excess` at r and every ``k' >= k``, for ``k >= steps``."""
+
+    @abstractmethod
+    def hopeless(self, k: int, r: int, target: float) -> bool:
+        """Say whether at horizon k no radius from r on brings ``CR - 1`` down to the target."""
+
+    @abstractmethod
+    def certified(self, k: int, r: int, target: float) -> bool:
+        """Say, by interval arithmetic, whether ``CR <= target`` at one pair."""

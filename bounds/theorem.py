@@ -1,0 +1,242 @@
+"""A theorem is an object: label, tier, hypotheses with margins, values."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, ClassVar, Literal
+
+import numpy as np
+
+from ..graphs.errors import InputError
+from ..graphs.growth import Growth
+from .arithmetic import Number, kind_of, rounded_once
+from .energy import Couplings
+from .parameters import Parameters
+
+Tier = Literal["stated", "repaired", "sharp"]
+Kind = Literal["upper", "lower", "exact"]
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What a theorem is asked about.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Strengths of the costs, in any arithmetic; float arrays broadcast.
+    growth : Growth
+        What the theory needs of the network.
+    k, r : int or array of int, optional
+        Prediction horizon (``k >= 2``) and communication radius (``r >= 1``): below these
+        LPC has no free variable.
+    unconstrained : bool
+        Whether every feasible set is all of R^n.
+    b : tuple of two numbers, optional
+        ``(b_1, b_2)`` of ``thm:networked-exp-decay-tight``; optimised if not given.
+
+    Raises
+    ------
+    InputError
+        If k, r or b are outside their range.
+    """
+
+    parameters: Parameters
+    growth: Growth
+    k: Any = None
+    r: Any = None
+    unconstrained: bool = False
+    b: tuple[Number, Number] | None = None
+
+    def __post_init__(self) -> None:
+        for name, least, why in (("k", 2, "horizon"), ("r", 1, "radius")):
+            value = getattr(self, name)
+            if value is None:
+                continue
+            array = np.asarray(value)
+            if array.dtype.kind not in "iu" or np.any(array < least):
+                raise InputError(
+                    f"{name} = {value}: the {why} must be an integer >= {least} "
+                    "(below, LPC has no free variable)"
+                )
+        typed = self.b is not None and kind_of(*self.b) == "float"
+        if typed and not all(np.isfinite(b) and b > 0 for b in self.b or ()):
+            raise InputError(f"b = {self.b}: two finite numbers > 0 are needed")
+
+    @property
+    def a_T(self) -> Number:
+        """``l_T/mu``."""
+        return self.parameters.a_T
+
+    @property
+    def a_S(self) -> Number:
+        """``l_S/mu``."""
+        return self.parameters.a_S
+
+    @property
+    def max_degree(self) -> int:
+        """The largest degree Delta."""
+        return self.growth.max_degree
+
+    @property
+    def x(self) -> Number:
+        """``Delta l_S/mu``."""
+        return self.max_degree * self.a_S
+
+    @property
+    def couplings(self) -> Couplings:
+        """The ratios that all sharp statements depend on."""
+        return Couplings(self.a_T, self.a_S, self.parameters.condition, self.max_degree)
+
+    @property
+    def sized(self) -> bool:
+        """Whether both k and r are given."""
+        return self.k is not None and self.r is not None
+
+    def converted(self, arithmetic: str) -> Setting:
+        """Return the same setting in another arithmetic, see `Parameters.converted`."""
+        return replace(self, parameters=self.parameters.converted(arithmetic))
+
+
+@dataclass(frozen=True)
+class Hypothesis:
+    """One hypothesis of a theorem.
+
+    Attributes
+    ----------
+    text : str
+        What must hold.
+    holds : bool, array of bool or None
+        None: not decidable from the setting; the user answers for it.
+    margin : float, array or None
+        By how much it holds (negative: fails), in the units of the text.
+    masks : bool or tuple of str
+        Which conditional values of the theorem need it: all, none, or those named. The
+        guarantee needs every hypothesis.
+    """
+
+    text: str
+    holds: Any = None
+    margin: Any = None
+    masks: bool | tuple[str, ...] = True
+
+    def covers(self, name: str) -> bool:
+        """Whether a conditional value needs this hypothesis."""
+        return self.masks if isinstance(self.masks, bool) else name in self.masks
+
+    @property
+    def fails(self) -> bool:
+        """Whether it is known to fail (for arrays: somewhere)."""
+        return self.holds is not None and not bool(np.all(self.holds))
+
+
+def margin_of(s: Setting, function: Callable[[Setting], Number]) -> Any:
+    """Return a margin computed wide and rounded once: its sign is right."""
+    return rounded_once(function, s.converted("wide"))
+
+
+def at_least_zero(text: str, margin: Any, *, masks: bool | tuple[str, ...] = True) -> Hypothesis:
+    """Return the hypothesis that a margin is ``>= 0``."""
+    holds = np.greater_equal(margin, 0)
+    return Hypothesis(text, bool(holds) if np.ndim(holds) == 0 else holds, margin, masks)
+
+
+ASSUMPTION = Hypothesis("the costs obey Assumption 2.1 with the given mu, l_f, l_T, l_S")
+"""Of every statement; `lpc` problems derive the constants, typed-in ones are believed."""
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a theorem says in a setting.
+
+    Attributes
+    ----------
+    label, tier, kind, variant : str
+        Which statement; ``kind`` is "upper", "lower" or "exact".
+    guarantee : bool
+        True only if the statement is known to be true here: every hypothesis that can be
+        decided holds, and the statement is a theorem as written (or is implied by one).
+    hypotheses : tuple of Hypothesis
+        Each with its margin.
+    values : mapping from str to number, array or None
+        None where the statement gives no number; `reasons` says why.
+    reasons : mapping from str to str
+        Why a value is None.
+    """
+
+    label: str
+    tier: Tier
+    kind: Kind
+    guarantee: bool
+    hypotheses: tuple[Hypothesis, ...]
+    values: Mapping[str, Any]
+    reasons: Mapping[str, str] = field(default_factory=dict)
+    variant: str = ""
+
+
+class Bound(ABC):
+    """One theorem in one tier. Subclass it in a file of `bounds.theorems` to add one.
+
+    Class attributes
+    ----------------
+    label : the LaTeX label of the paper, or ``nearsight:...``
+    tier, kind : see `Result`
+    variant : tells apart statements of one label and tier
+    title : one line for tables
+    sound : whether the statement is a theorem as written
+    conditional : names of values that are no numbers where a hypothesis fails
+    """
+
+    label: ClassVar[str]
+    tier: ClassVar[Tier]
+    kind: ClassVar[Kind] = "upper"
+    variant: ClassVar[str] = ""
+    title: ClassVar[str]
+    sound: ClassVar[bool] = True
+    conditional: ClassVar[tuple[str, ...]] = ()
+
+    @abstractmethod
+    def values(self, s: Setting) -> dict[str, Number]:
+        """Return the values in the arithmetic of the setting."""
+
+    def hypotheses(self, s: Setting, values: Mapping[str, Any]) -> tuple[Hypothesis, ...]:
+        """Return the hypotheses; ``values`` are those of `values`, rounded."""
+        return ()
+
+    def evaluate(self, s: Setting) -> Result:
+        """Return what the theorem says, in floats, each correctly computed and rounded once."""
+        values = {name: v for name, v in self.in_floats(s).items() if v is not None}
+        hypotheses = self.hypotheses(s, values)
+        guarantee = self.sound and not any(h.fails for h in hypotheses)
+        reasons = self.missing(s)
+        for name in self.conditional:
+            for h in hypotheses:
+                if name in values and h.fails and h.covers(name):
+                    values[name] = _masked(values[name], h.holds)
+                    reasons[name] = f"hypothesis fails: {h.text}"
+        for name, value in list(values.items()):
+            if value is not None and np.ndim(value) == 0 and not np.isfinite(value):
+                values[name] = None
+                reasons.setdefault(name, "infinite" if value > 0 else "undefined")
+        values.update({name: None for name in reasons if name not in values})
+        return Result(
+            self.label, self.tier, self.kind, guarantee, hypotheses, values, reasons, self.variant
+        )
+
+    def in_floats(self, s: Setting) -> dict[str, Any]:
+        """Return `values` for a float setting, computed wide and rounded once."""
+        return dict(rounded_once(self.values, s.converted("wide")))
+
+    def missing(self, s: Setting) -> dict[str, str]:
+        """Return values that cannot be given in this setting, with the reason."""
+        return (
+            {}
+            if s.sized or not self.conditional
+            else dict.fromkeys(self.conditional, "needs a horizon k and a radius r")
+        )
+
+
+def _masked(value: Any, holds: Any) -> Any:
+    return None if np.ndim(holds) == 0 else np.where(holds, value, np.nan)

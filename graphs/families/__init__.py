@@ -1,0 +1,1 @@
+"""Finite graph families, one file a family."""

@@ -1,0 +1,1 @@
+"""Infinite graph families, known by their growth, one file a family."""

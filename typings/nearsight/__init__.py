@@ -1,0 +1,1 @@
+../../nearsight/__init__.py
