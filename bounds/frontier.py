@@ -49,8 +49,8 @@ class Frontier:
     reason: str = ""
 
 
-def frontier(promise: Promise, target: float, search: Search | None = None) -> Frontier:
-    """Return all Pareto-minimal (k, r) with a certified ``CR <= target``.
+def frontier(promise: Promise, excess: float, search: Search | None = None) -> Frontier:
+    """Return all Pareto-minimal (k, r) with a certified ``CR - 1 <= excess``.
 
     Horizons are taken in increasing order; for each the least radius below the last one
     found is looked for. The floors of the promise say where to begin and when no larger
@@ -62,13 +62,12 @@ def frontier(promise: Promise, target: float, search: Search | None = None) -> F
     ----------
     promise : Promise
         Bound to plan with.
-    target : float
-        Competitive ratio to reach, ``> 1``.
+    excess : float
+        What ``CR - 1`` may be, ``> 0``.
     search : Search, optional
         Limits.
     """
     search = search or Search()
-    excess = target - 1  # exact (Sterbenz) for targets up to 2, rounded to nearest beyond
     k = _first_horizon(promise, excess, search.max_k)
     if k is None:
         return Frontier((), f"no horizon up to {search.max_k} is long enough at any radius")
@@ -83,10 +82,10 @@ def frontier(promise: Promise, target: float, search: Search | None = None) -> F
             break
         if pairs:  # few radii are left: many horizons at once
             block = np.arange(k, min(k + 1 + _CELLS // (high - low), search.max_k + 1))
-            found = _by_block(promise, block, low, high, target)
+            found = _by_block(promise, block, low, high, excess)
         else:
             block = np.array([k])
-            pair = _first_radius(promise, k, low, high, target)
+            pair = _first_radius(promise, k, low, high, excess)
             found = [pair] if pair is not None else []
         pairs += found
         high = pairs[-1].r if pairs else high
@@ -103,15 +102,15 @@ def _is_open(promise: Promise, k: int, excess: float) -> Callable[[Any], Any]:
     return lambda r: ~(promise.floor_in_r(k, r) > excess)  # an undefined floor rules nothing out
 
 
-def _by_block(promise: Promise, block: Any, low: int, high: int, target: float) -> list[Pair]:
+def _by_block(promise: Promise, block: Any, low: int, high: int, excess: float) -> list[Pair]:
     """Return the pairs that lower the radius further, over a block of horizons."""
     radii = np.arange(low, high)
     shape = (block.size, radii.size)
     values = np.broadcast_to(promise.excess(block[:, None], radii[None, :]), shape)
     pairs: list[Pair] = []
-    for i, j in zip(*np.nonzero(values <= target - 1), strict=True):  # by k, then by r
+    for i, j in zip(*np.nonzero(values <= excess), strict=True):  # by k, then by r
         k, r = int(block[i]), int(radii[j])
-        if r < high and promise.certified(k, r, target):
+        if r < high and promise.certified(k, r, excess):
             pairs.append(Pair(k, r, float(values[i, j]), promise.variant))
             high = r
     return pairs
@@ -145,15 +144,14 @@ def _first(good: Callable[[Any], Any], low: int, high: int) -> int:
     return high
 
 
-def _first_radius(promise: Promise, k: int, low: int, high: int, target: float) -> Pair | None:
+def _first_radius(promise: Promise, k: int, low: int, high: int, excess: float) -> Pair | None:
     """Return the pair of the least radius in [low, high) with a certified bound."""
-    excess = target - 1
     size = 8
     while low < high:
         radii = np.arange(low, min(low + size, high))
         values = np.broadcast_to(promise.excess(k, radii), radii.shape)
         for i in np.flatnonzero(values <= excess):
-            if promise.certified(k, int(radii[i]), target):
+            if promise.certified(k, int(radii[i]), excess):
                 return Pair(k, int(radii[i]), float(values[i]), promise.variant)
         low, size = low + size, min(2 * size, 256)
         if promise.hopeless(k, int(radii[-1]), excess):

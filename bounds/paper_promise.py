@@ -67,10 +67,10 @@ class PaperPromise(Promise):
         p = self._floats(k, r, top=False)
         return np.where(p.condition <= 0.5, p.lateral, np.inf)
 
-    def hopeless(self, k: int, r: int, target: float) -> bool:
+    def hopeless(self, k: int, r: int, excess: float) -> bool:
         """Compare the part due to the top alone: ``C_3`` grows with r."""
         p = self._floats(k, r, sides=False)
-        return bool(p.top > target) or not bool(p.condition <= 0.5)
+        return bool(p.top > excess) or not bool(p.condition <= 0.5)
 
     def _sums(self, rho_S: Number, r: int) -> Number:
         """Return ``C_3(r)`` in intervals from a table of partial sums, longer where needed."""
@@ -81,7 +81,7 @@ class PaperPromise(Promise):
             table.append((before + self.setting.growth.h(q) * last, last * rho_S))
         return table[r][0]
 
-    def certified(self, k: int, r: int, target: float) -> bool:
+    def certified(self, k: int, r: int, excess: float) -> bool:
         """Evaluate (e1), (e2-0) and the conditions of the local bound in intervals."""
         s = self.setting.converted("interval")
         found = self.source(s)
@@ -89,4 +89,4 @@ class PaperPromise(Promise):
         p = self._parts(s, found, size, k, r)
         sound = all(bool(m >= 0) for m in found.margins)
         closes = bool(p.condition <= 0.5) and bool(found.local.one_minus_rho_T > 0)
-        return sound and closes and bool(1 + p.lateral + p.top <= target)
+        return sound and closes and bool(p.lateral + p.top <= excess)

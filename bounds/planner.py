@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -146,17 +146,32 @@ def plan(
         raise InputError(f"target = {target}: a finite competitive ratio > 1 is needed")
     if any(np.ndim(v) for v in (setting.a_T, setting.a_S, setting.parameters.l_f)):
         raise InputError("a plan takes scalar mu, l_f, l_T, l_S; call it once for each set")
-    prices, search = prices or Prices(), search or Search()
-    plans = tuple(_tier(tier, setting, float(target), prices, search) for tier in tiers)
+    prices = prices or Prices()
+    excess = _excess(float(target))
+    plans = tuple(plan_excess(setting, excess, tier, prices, search) for tier in tiers)
     return Plan(float(target), setting, plans, prices)
 
 
-def _tier(tier: Tier, s: Setting, target: float, prices: Prices, search: Search) -> TierPlan:
+def _excess(target: float) -> float:
+    """Return ``target - 1``, rounded down where a float cannot hold it."""
+    excess = target - 1
+    return excess if 1 + excess <= target else float(np.nextafter(excess, 0))
+
+
+def plan_excess(
+    s: Setting,
+    excess: float,
+    tier: Tier,
+    prices: Prices | None = None,
+    search: Search | None = None,
+) -> TierPlan:
+    """Return the plan of one tier for ``CR - 1 <= excess``, which may be tiny."""
+    prices = prices or Prices()
     pairs: list[Pair] = []
     promises: dict[str, Promise] = {}
     reason = ""
-    for promise in _promises(tier, s, pairs, target):
-        found = frontier(promise, target, search)
+    for promise in _promises(tier, s, pairs):
+        found = frontier(promise, excess, search)
         pairs += found.pairs
         promises.update({pair.variant: promise for pair in found.pairs})
         reason = reason or found.reason
@@ -200,7 +215,7 @@ def _bottleneck(promise: Promise, p: Pair) -> Bottleneck:
     return Bottleneck("k" if longer < wider else "r", longer, wider)
 
 
-def _promises(tier: Tier, s: Setting, found: list[Pair], target: float) -> Iterator[Promise]:
+def _promises(tier: Tier, s: Setting, found: list[Pair]) -> Iterator[Promise]:
     """Yield the statements of a tier; ``found`` holds what the earlier ones reached."""
     if tier == "sharp":
         for kind in ("vi", "mix", "smooth") if s.unconstrained else ("vi",):
@@ -219,12 +234,12 @@ def _promises(tier: Tier, s: Setting, found: list[Pair], target: float) -> Itera
                 return
 
 
-def _ratio_at(s: Setting, at: Pair):
+def _ratio_at(s: Setting, at: Pair) -> Callable[[Choice], Any]:
     """Return the objective of ``b_1, b_2``: the ratio at a pair, whether or not it closes."""
     whole = Regrouped("repaired")(s).whole
     weight = smoothness(s.parameters.condition, s.a_T, s.a_S, s.max_degree)
 
-    def excess(found: Choice):
+    def excess(found: Choice) -> Any:
         size = reach(s.growth, found.local.rho_S, at.r)
         p = ratio_parts(found.local, whole, weight, size, at.k, at.r)
         return p.lateral + p.top + p.condition

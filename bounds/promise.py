@@ -38,9 +38,9 @@ class Promise(ABC):
         """Return a number below `excess` at r and every ``k' >= k``, for ``k >= steps``."""
 
     @abstractmethod
-    def hopeless(self, k: int, r: int, target: float) -> bool:
-        """Say whether at horizon k no radius from r on brings ``CR - 1`` down to the target."""
+    def hopeless(self, k: int, r: int, excess: float) -> bool:
+        """Say whether at horizon k no radius from r on brings ``CR - 1`` down to ``excess``."""
 
     @abstractmethod
-    def certified(self, k: int, r: int, target: float) -> bool:
-        """Say, by interval arithmetic, whether ``CR <= target`` at one pair."""
+    def certified(self, k: int, r: int, excess: float) -> bool:
+        """Say, by interval arithmetic, whether ``CR - 1 <= excess`` at one pair."""

@@ -23,6 +23,7 @@ from .energy import NEIGHBOURS, NEXT, OWN, SHARES, Couplings, Row, float_count, 
 from .promise import Floats, Promise
 from .theorem import Setting
 
+_CROWD = 1e200  # a boundary of more members is not planned with: floats would overflow
 _FAR = 10**9  # a horizon at which nothing of the top is left
 
 
@@ -53,7 +54,7 @@ class SharpPromise(Promise):
             value = sharp_excess(
                 self.variant, c, eta, k, r, best_shares(self.variant, c, eta, k, r)
             )
-        return np.where(np.isnan(value), np.inf, value)
+        return np.where(np.isnan(value) | np.greater(eta, _CROWD), np.inf, value)
 
     def floor_in_k(self, k: Any) -> Floats:
         """Return the certificate for a lateral boundary that is not perturbed."""
@@ -84,21 +85,21 @@ class SharpPromise(Promise):
                 slope = variational_slope(c, _FAR, e)
                 gap = Gap.product(slope, own).plus(Gap.product(own, own), -0.5)
             value = np.asarray(excess_ratio(c, gap, e))
-        return np.where(np.isinf(eta), np.inf, value)  # a boundary beyond all floats: not planned
+        return np.where(np.greater(eta, _CROWD), np.inf, value)
 
     def _least(self, row: Row, c: Couplings, eta: Any, k: int, r: Any) -> Form:
         shares = np.arange(1, SHARES).reshape((-1,) + (1,) * np.ndim(r))
         bound = row_bound(row, c, eta, k, r, shares)
         return Form(*(np.min(part, axis=0) for part in (bound.D_part, bound.y_part)))
 
-    def hopeless(self, k: int, r: int, target: float) -> bool:
+    def hopeless(self, k: int, r: int, excess: float) -> bool:
         """Compare with the limit of a large radius, once what the sides add has rounded away."""
         value = float(self.excess(k, r))
-        return value > target and value <= float(self.floor_in_k(k)) * (1 + 1e-12)
+        return value > excess and value <= float(self.floor_in_k(k)) * (1 + 1e-12)
 
-    def certified(self, k: int, r: int, target: float) -> bool:
+    def certified(self, k: int, r: int, excess: float) -> bool:
         """Evaluate the certificate in intervals, at the same shares."""
         eta = self.setting.growth.eta(r)
         shares = best_shares(self.variant, self._couplings, eta, k, r)
         c = self.setting.converted("interval").couplings
-        return bool(1 + sharp_excess(self.variant, c, eta, k, r, shares) <= target)
+        return bool(sharp_excess(self.variant, c, eta, k, r, shares) <= excess)

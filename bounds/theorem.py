@@ -217,6 +217,8 @@ class Bound(ABC):
                     values[name] = _masked(values[name], h.holds)
                     reasons[name] = f"hypothesis fails: {h.text}"
         for name, value in list(values.items()):
+            if isinstance(value, np.generic):
+                values[name] = value = value.item()
             if value is not None and np.ndim(value) == 0 and not np.isfinite(value):
                 values[name] = None
                 reasons.setdefault(name, "infinite" if value > 0 else "undefined")

@@ -1,0 +1,45 @@
+"""``nearsight:temporal-lower-bound``: one agent with k steps of look-ahead."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, ClassVar
+
+from ..arithmetic import Number, power
+from ..decay import gamma_T
+from ..lower import temporal_excess
+from ..theorem import Bound, Hypothesis, Kind, Setting, Tier
+from .bottleneck import CLASS
+
+
+class Temporal(Bound):
+    """``CR >= 1 + gamma_T^{2k}/(sqrt(1+2a) - 1)``.
+
+    The value of the best policy for independent targets over a long horizon; see
+    `bounds.lower.temporal_excess`.
+    """
+
+    label = "nearsight:temporal-lower-bound"
+    tier: ClassVar[Tier] = "sharp"
+    kind: ClassVar[Kind] = "lower"
+    title = "lower bound in k, one agent"
+    conditional = ("cr", "cr_minus_one")
+
+    def values(self, s: Setting) -> dict[str, Number]:
+        """Return the rate and, for a given k, the bound."""
+        values: dict[str, Number] = {"lambda_T": power(gamma_T(s.a_T), 2)}
+        if s.k is not None:
+            excess = temporal_excess(s.a_T, s.k)
+            values |= {"cr": 1 + excess, "cr_minus_one": excess}
+        return values
+
+    def hypotheses(self, s: Setting, values: Mapping[str, Any]) -> tuple[Hypothesis, ...]:
+        """Return the class the supremum runs over."""
+        return (CLASS,)
+
+    def missing(self, s: Setting) -> dict[str, str]:
+        """Return the reason where k is not given."""
+        return {} if s.k is not None else dict.fromkeys(self.conditional, "needs a horizon k")
+
+
+BOUNDS: tuple[Bound, ...] = (Temporal(),)
