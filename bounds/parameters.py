@@ -60,14 +60,15 @@ class Parameters:
             try:
                 array = np.asarray(value, dtype=np.float64)
             except (TypeError, ValueError) as error:
-                raise InputError(f"{name} = {value!r} is not a number") from error
+                raise InputError(f"{name} = {value!r} is not a number", name) from error
             positive = name in ("mu", "l_f")
             good = np.isfinite(array) & ((array > 0) if positive else (array >= 0))
             if not good.all():
                 bad = array[~good].flat[0]
                 accepted = "> 0" if positive else ">= 0"
                 raise InputError(
-                    f"{name} = {bad:g} ({_MEANING[name]}): a finite number {accepted} is needed"
+                    f"{name} = {bad:g} ({_MEANING[name]}): a finite number {accepted} is needed",
+                    name,
                 )
             object.__setattr__(self, name, float(array) if array.ndim == 0 else array)
         try:
@@ -78,7 +79,8 @@ class Parameters:
         if np.any(np.asarray(self.l_f) < np.asarray(self.mu)):
             raise InputError(
                 f"l_f = {self.l_f} < mu = {self.mu}: a mu-strongly convex cost is at "
-                "least mu-smooth, so l_f >= mu is needed"
+                "least mu-smooth, so l_f >= mu is needed",
+                "l_f",
             )
 
     @property

@@ -34,7 +34,9 @@ class Prices:
         for name in ("k", "r"):
             value = getattr(self, name)
             if not (np.isfinite(value) and value >= 0):
-                raise InputError(f"price of {name} = {value}: a finite number >= 0 is needed")
+                raise InputError(
+                    f"price of {name} = {value}: a finite number >= 0 is needed", f"price_{name}"
+                )
 
     def of(self, pair: Pair) -> float:
         """Return the price of a pair."""
@@ -143,7 +145,7 @@ def plan(
         If the target is not a finite number above 1, or the parameters are arrays.
     """
     if not (np.isfinite(target) and target > 1):
-        raise InputError(f"target = {target}: a finite competitive ratio > 1 is needed")
+        raise InputError(f"target = {target}: a finite competitive ratio > 1 is needed", "target")
     if any(np.ndim(v) for v in (setting.a_T, setting.a_S, setting.parameters.l_f)):
         raise InputError("a plan takes scalar mu, l_f, l_T, l_S; call it once for each set")
     prices = prices or Prices()

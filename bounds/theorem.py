@@ -59,11 +59,12 @@ class Setting:
             if array.dtype.kind not in "iu" or np.any(array < least):
                 raise InputError(
                     f"{name} = {value}: the {why} must be an integer >= {least} "
-                    "(below, LPC has no free variable)"
+                    "(below, LPC has no free variable)",
+                    name,
                 )
         typed = self.b is not None and kind_of(*self.b) == "float"
         if typed and not all(np.isfinite(b) and b > 0 for b in self.b or ()):
-            raise InputError(f"b = {self.b}: two finite numbers > 0 are needed")
+            raise InputError(f"b = {self.b}: two finite numbers > 0 are needed", "b")
 
     @property
     def a_T(self) -> Number:

@@ -15,14 +15,60 @@ if TYPE_CHECKING:
     # A test compares the two.
     from . import bounds as bounds
     from . import graphs as graphs
+    from .api import bound as bound
+    from .api import plan as plan
+    from .api import setting as setting
+    from .bounds import Bottleneck as Bottleneck
+    from .bounds import Bound as Bound
+    from .bounds import Hypothesis as Hypothesis
+    from .bounds import Pair as Pair
+    from .bounds import Parameters as Parameters
+    from .bounds import Plan as Plan
+    from .bounds import Prices as Prices
+    from .bounds import Result as Result
+    from .bounds import Search as Search
+    from .bounds import Setting as Setting
+    from .bounds import TierPlan as TierPlan
+    from .bounds import catalogue as catalogue
+    from .graphs import Growth as Growth
+    from .graphs import InputError as InputError
+    from .graphs import NearsightError as NearsightError
+    from .graphs import Network as Network
+    from .graphs import network_growth as network_growth
+    from .graphs import parse_graph as parse_graph
+    from .graphs import parse_growth as parse_growth
+    from .graphs import read_graph as read_graph
 
     __version__: str
 
 # Public name -> module that holds it, relative to this package.
 # A subpackage stands under its own name: "graphs": ".graphs".
 _EXPORTS: dict[str, str] = {
+    "Bottleneck": ".bounds",
+    "Bound": ".bounds",
+    "Growth": ".graphs",
+    "Hypothesis": ".bounds",
+    "InputError": ".graphs",
+    "NearsightError": ".graphs",
+    "Network": ".graphs",
+    "Pair": ".bounds",
+    "Parameters": ".bounds",
+    "Plan": ".bounds",
+    "Prices": ".bounds",
+    "Result": ".bounds",
+    "Search": ".bounds",
+    "Setting": ".bounds",
+    "TierPlan": ".bounds",
+    "bound": ".api",
     "bounds": ".bounds",
+    "catalogue": ".bounds",
     "graphs": ".graphs",
+    "network_growth": ".graphs",
+    "parse_graph": ".graphs",
+    "parse_growth": ".graphs",
+    "plan": ".api",
+    "read_graph": ".graphs",
+    "setting": ".api",
 }
 
 

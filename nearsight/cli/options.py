@@ -1,0 +1,78 @@
+"""Options that commands share: the network and the strengths of the costs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import contextmanager
+from typing import Any
+
+import click
+
+NETWORK = [
+    click.option(
+        "--graph",
+        metavar="SPEC",
+        help="A file (.graphml .gml .gexf .edgelist .adjlist .json .mtx) or a family: path:N "
+        "ring:N grid:AxB torus:AxB tree:BxDEPTH complete:N star:N hypercube:D "
+        "ring-of-blocks:NxD regular:DxN erdos-renyi:NxP barabasi-albert:NxM geometric:NxRADIUS.",
+    ),
+    click.option(
+        "--growth",
+        metavar="SPEC",
+        help="In place of a graph, an infinite family: line grid2 grid3 tree:DELTA "
+        "ring-of-blocks:D poly:C,P values:1,4,8,12.",
+    ),
+    click.option("--max-degree", type=int, help="Largest degree, for --growth poly and values."),
+    click.option("--seed", type=int, default=0, show_default=True, help="For random families."),
+    click.option(
+        "--clean", is_flag=True, help="Drop directions, parallel edges and self-loops of a file."
+    ),
+]
+
+COSTS = [
+    click.option("--mu", type=float, required=True, help="Strong convexity of node costs, > 0."),
+    click.option(
+        "--l-f", "l_f", type=float, required=True, help="Smoothness of node costs, >= mu."
+    ),
+    click.option(
+        "--l-t", "l_T", type=float, required=True, help="Smoothness of temporal costs, >= 0."
+    ),
+    click.option(
+        "--l-s", "l_S", type=float, required=True, help="Smoothness of spatial costs, >= 0."
+    ),
+    click.option("--unconstrained", is_flag=True, help="Every feasible set is all of R^n."),
+]
+
+JSON = click.option("--json", "as_json", is_flag=True, help="Print one JSON document.")
+
+
+def options(*groups: Any) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """Return a decorator that adds options, and lists of them, in the order given."""
+    flat = [o for group in groups for o in (group if isinstance(group, list) else [group])]
+
+    def add(function: Callable[..., Any]) -> Callable[..., Any]:
+        for option in reversed(flat):
+            function = option(function)
+        return function
+
+    return add
+
+
+@contextmanager
+def input_errors() -> Any:
+    """Turn an unusable input into one line that names the option."""
+    from ..graphs import InputError
+
+    try:
+        yield
+    except InputError as error:
+        name = f"{_option(error.argument)}: " if error.argument else ""
+        raise click.UsageError(name + str(error)) from error
+
+
+def _option(argument: str) -> str:
+    return (
+        f"-{argument}"
+        if len(argument) == 1 and argument != "b"
+        else "--" + argument.replace("_", "-").lower()
+    )

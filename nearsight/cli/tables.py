@@ -1,0 +1,128 @@
+"""Tables for people; plain text where the output is not a terminal."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+import numpy as np
+from rich import box
+from rich.console import Console
+from rich.table import Table
+
+if TYPE_CHECKING:
+    from ..bounds import Plan, Result, TierPlan
+
+_STYLE = {"stated": "yellow", "repaired": "cyan", "sharp": "green"}
+
+
+def _console() -> Console:
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console.width = max(console.width, 100)
+    return console
+
+
+def number(value: Any) -> str:
+    """Format a number: integers as such, others to six significant digits."""
+    if value is None:
+        return "-"
+    if isinstance(value, int) or (isinstance(value, float) and value.is_integer()):
+        return f"{value:.0f}" if abs(value) < 1e6 else f"{value:.6g}"
+    return np.array2string(np.asarray(value), precision=6) if np.ndim(value) else f"{value:.6g}"
+
+
+def _show(console: Console, table: Table) -> None:
+    """Print a table without the blanks that pad its lines."""
+    with console.capture() as capture:
+        console.print(table)
+    for line in capture.get().rstrip().splitlines():
+        click.echo(line.rstrip())
+
+
+def _table(*columns: str) -> Table:
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    words = ("tier", "guarantee", "bottleneck", "by")
+    for name in columns:
+        table.add_column(name, justify="left" if name in words else "right", no_wrap=True)
+    return table
+
+
+def print_plan(plan: Plan, frontier: bool) -> None:
+    """Print one row a tier, then why a row is empty or no guarantee, then the frontier."""
+    console = _console()
+    console.print(f"target: competitive ratio <= {plan.target:.12g}")
+    table = _table("tier", "k", "r", "CR - 1", "work", "guarantee", "bottleneck", "one more")
+    rows = [_plan_row(plan, t) for t in plan.tiers]
+    for t, row in zip(plan.tiers, rows, strict=True):
+        table.add_row(*row, style=_STYLE[t.tier])
+    _show(console, table)
+    if any("*" in row[2] for row in rows):
+        console.print("* every agent decides for the whole network")
+    for t in plan.tiers:
+        if t.reason:
+            console.print(f"{t.tier}: {t.reason}", soft_wrap=True)
+        if t.cheapest and t.cheapest != t.pair:
+            price = number(plan.prices.of(t.cheapest))
+            console.print(f"{t.tier}: cheapest k = {t.cheapest.k}, r = {t.cheapest.r} at {price}")
+    for t in plan.tiers if frontier else ():
+        _print_frontier(console, t)
+
+
+def _plan_row(plan: Plan, t: TierPlan) -> tuple[str, ...]:
+    if t.pair is None or t.bottleneck is None:
+        return (t.tier, "-", "-", "-", "-", "unreachable", "-", "-")
+    work = t.work[t.frontier.index(t.pair)]
+    b = t.bottleneck
+    growth = plan.setting.growth
+    everyone = growth.ball(t.pair.r - 1) == growth.vertices
+    r = f"{t.pair.r}*" if everyone else str(t.pair.r)
+    size = (str(t.pair.k), r, number(t.pair.excess), str(work))
+    after = number(min(b.excess_k, b.excess_r))
+    return (t.tier, *size, "yes" if t.guarantee else "no", b.name, after)
+
+
+def _print_frontier(console: Console, t: TierPlan) -> None:
+    if not t.frontier:
+        return
+    console.print(f"\n{t.tier}: all pairs that waste nothing")
+    table = _table("k", "r", "CR - 1", "work", "by")
+    for p, work in zip(t.frontier, t.work, strict=True):
+        table.add_row(str(p.k), str(p.r), number(p.excess), str(work), p.variant)
+    _show(console, table)
+
+
+def print_results(results: list[Result], explain: bool) -> None:
+    """Print one block a theorem: values, and on request the hypotheses."""
+    console = _console()
+    for label in dict.fromkeys(result.label for result in results):
+        same = [result for result in results if result.label == label]
+        console.print(f"\n[bold]{label}[/bold] ({same[0].kind})")
+        for result in same:
+            _print_result(console, result)
+            if explain:
+                _print_hypotheses(console, result)
+
+
+def _print_result(console: Console, r: Result) -> None:
+    sure = "guarantee" if r.guarantee else "no guarantee"
+    name = f"{r.tier} ({r.variant})" if r.variant else r.tier
+    shown = [f"{key} = {number(v)}" for key, v in r.values.items() if v is not None]
+    console.print(f"  [{_STYLE[r.tier]}]{name}[/], {sure}: ", end="")
+    console.print(", ".join(shown) or "no value", soft_wrap=True)
+    for reason in dict.fromkeys(r.reasons.values()):
+        names = ", ".join(key for key, why in r.reasons.items() if why == reason)
+        console.print(f"      no {names}: {reason}", soft_wrap=True)
+    for h in r.hypotheses:
+        if h.fails and h.text not in " ".join(r.reasons.values()):
+            console.print(f"      fails: {h.text}{_margin(h.margin)}", soft_wrap=True)
+
+
+def _print_hypotheses(console: Console, r: Result) -> None:
+    for h in r.hypotheses:
+        state = "assumed" if h.holds is None else "fails" if h.fails else "holds"
+        console.print(f"      {state}: {h.text}{_margin(h.margin)}", soft_wrap=True)
+
+
+def _margin(margin: Any) -> str:
+    return "" if margin is None else f" (margin {number(margin)})"
