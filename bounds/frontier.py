@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ..graphs.errors import InputError
 from .promise import Promise
 
 _CELLS = 256  # pairs evaluated at once
@@ -24,11 +25,22 @@ class Search:
         Largest horizon and radius considered.
     progress : callable, optional
         Called with a short text now and then.
+
+    Raises
+    ------
+    InputError
+        If a limit excludes every pair.
     """
 
     max_k: int = 100_000
     max_r: int = 10_000
     progress: Callable[[str], None] | None = None
+
+    def __post_init__(self) -> None:
+        for name, least in (("max_k", 2), ("max_r", 1)):
+            if getattr(self, name) < least:
+                text = f"{name} = {getattr(self, name)}: an integer >= {least} is needed"
+                raise InputError(text, name)
 
 
 @dataclass(frozen=True)

@@ -228,7 +228,7 @@ def _promises(tier: Tier, s: Setting, found: list[Pair]) -> Iterator[Promise]:
         for turn in range(3):  # b_1, b_2 for the best pair so far, and again for the new one
             at = min(found, key=_size, default=Pair(10, 10, np.inf))
             b_1, b_2 = optimise(s.growth, s.a_T, s.a_S, _ratio_at(s, at))
-            if min(choice(s.growth, s.a_T, s.a_S, b_1, b_2).margins) < 0:
+            if 8 * s.a_T > 1 or min(choice(s.growth, s.a_T, s.a_S, b_1, b_2).margins) < 0:
                 return
             name = "thm:networked-exp-decay-tight"
             yield PaperPromise(s, Tight(tier, b_1, b_2), f"{name} b_1={b_1:.6g} b_2={b_2:.6g}")

@@ -222,7 +222,8 @@ class Bound(ABC):
                 values[name] = value = value.item()
             if value is not None and np.ndim(value) == 0 and not np.isfinite(value):
                 values[name] = None
-                reasons.setdefault(name, "infinite" if value > 0 else "undefined")
+                too_large = "infinite, or too large for a float"
+                reasons.setdefault(name, "undefined" if np.isnan(value) else too_large)
         values.update({name: None for name in reasons if name not in values})
         return Result(
             self.label, self.tier, self.kind, guarantee, hypotheses, values, reasons, self.variant

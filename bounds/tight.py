@@ -81,6 +81,8 @@ def optimise(
         Maps a `Choice` of arrays to the array to minimise.
     """
     start = paper_choice(growth.max_degree)
+    if 8 * a_T > 1:  # a_tilde >= 1: no choice obeys the conditions, the network is not asked
+        return start
     x = growth.max_degree * a_S
     ceiling = min(4.0 / x if x > 0 else np.inf, 1e6 * start[1])
     low, high = np.log([ceiling * 1e-8] * 2), np.log([ceiling] * 2)

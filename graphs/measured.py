@@ -13,7 +13,7 @@ from .network import Network
 from .profile import Profile, Progress, network_profile
 
 FIRST_RADIUS = 16
-SMALL = 4096
+SMALL = 20_000
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class NetworkGrowth(Growth):
     """Exact growth of a finite network, from its profile.
 
     Small distances are cheap and usually enough, so the profile is computed up to `first` and
-    extended, at least doubling, when a larger distance is asked for; `radius`, `values` and
+    extended, at least fourfold, when a larger distance is asked for; `radius`, `values` and
     `transform` need all of it. Small graphs are computed at once.
 
     Parameters
@@ -99,7 +99,7 @@ class NetworkGrowth(Growth):
             return known
         reach: int | None = None
         if distance is not None and self.network.vertices > SMALL:
-            reach = max(distance, self.first if known is None else 2 * len(known.h))
+            reach = max(distance, self.first if known is None else 4 * len(known.h))
         found = network_profile(self.network, reach, self.progress)
         self._known[:] = [found]
         return found
