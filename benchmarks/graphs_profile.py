@@ -13,12 +13,12 @@ import time
 THREADS = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 os.environ.update(THREADS)  # before NumPy loads its linear algebra
 
-import networkx as nx  # noqa: E402 - after the number of threads
-import numpy as np  # noqa: E402
-from scipy.sparse import csr_array  # noqa: E402
-from scipy.sparse.csgraph import shortest_path  # noqa: E402
+import networkx as nx
+import numpy as np
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import shortest_path
 
-from nearsight.graphs import Network, network_profile, parse_graph  # noqa: E402
+from nearsight.graphs import Network, network_profile, parse_graph
 
 SPECS = ["grid:50x50", "regular:3x4000", "barabasi-albert:4000x3", "geometric:4000x0.03"]
 

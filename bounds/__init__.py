@@ -2,8 +2,10 @@
 
 from .frontier import Frontier, Pair, Search
 from .parameters import Parameters
-from .planner import Bottleneck, Plan, Prices, TierPlan, plan
-from .theorem import Bound, Hypothesis, Result, Setting
+from .planner import plan
+from .plans import Bottleneck, Plan, Prices, TierPlan
+from .setting import Setting
+from .theorem import Bound, Hypothesis, Result
 from .theorems import bounds_for, catalogue
 
 __all__ = [

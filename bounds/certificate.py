@@ -22,46 +22,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .arithmetic import Number, approximate, minimum, plain_floats, power, select, sqrt
-from .decay import one_minus_g, slice_decay, slice_first
+from .decay import slice_decay, slice_first
 from .energy import NEIGHBOURS, NEXT, OWN, Couplings, Row, best_share, float_count, row_bound
+from .forms import Form, Gap
+from .global_bound import accumulation_sharp
 
 KINDS = ("smooth", "mix", "vi")
-
-
-class Form(NamedTuple):
-    """The linear form ``D D + y y`` in the sizes D and y."""
-
-    D: Number
-    y: Number
-
-    def plus(self, other: Form) -> Form:
-        """Return the sum of two forms."""
-        return Form(self.D + other.D, self.y + other.y)
-
-    def times(self, factor: Number) -> Form:
-        """Return the form scaled by a number."""
-        return Form(factor * self.D, factor * self.y)
-
-
-class Gap(NamedTuple):
-    """The quadratic form ``P_0 D^2 + P_1 D y + P_2 y^2`` that bounds the cost gap over mu."""
-
-    P_0: Number
-    P_1: Number
-    P_2: Number
-
-    @classmethod
-    def product(cls, u: Form, v: Form) -> Gap:
-        """Return ``u v``."""
-        return cls(u.D * v.D, u.D * v.y + u.y * v.D, u.y * v.y)
-
-    def plus(self, other: Gap, factor: Number = 1) -> Gap:
-        """Return ``self + factor other``."""
-        return Gap(*(p + factor * q for p, q in zip(self, other, strict=True)))
-
-    def at(self, y: Number) -> Number:
-        """Return the value at ``D = 1`` and ``y``."""
-        return self.P_0 + y * (self.P_1 + y * self.P_2)
 
 
 class Shares(NamedTuple):
@@ -176,26 +142,38 @@ def _variational_gap(dG: Form, E: Form, half: Number) -> Gap:
     return Gap(*(select(ordered, p, half * q) for p, q in zip(inner, outer, strict=True)))
 
 
+class Closing(NamedTuple):
+    """What must be positive for a bound on y: ``1/2 - P_2`` and ``1 - S E_y``; one is enough.
+
+    The first closes ``(1/2 - P_2) y^2 <= P_1 y + P_0``. The second closes
+    ``y <= S (E_D + E_y y)``, ``S = 1 + s_1/(1 - gamma_T)``: the errors of past steps add
+    up to at most S times their size.
+    """
+
+    by_gap: Number
+    by_errors: Number
+
+
+def closing(c: Couplings, gap: Gap, e: StepError) -> Closing:
+    """Return the two margins of a certificate."""
+    one = 1 + 0 * (c.a_T + c.a_S)
+    E_y = e.E_top.y + e.E_lat.y
+    return Closing(one / 2 - gap.P_2, one - accumulation_sharp(c.a_T) * E_y)
+
+
 def excess_ratio(c: Couplings, gap: Gap, e: StepError) -> Number:
     """Return the bound on ``CR - 1``, infinite where the certificate does not close.
 
-    Two bounds on y are at hand: the positive root of ``(1/2 - P_2) y^2 = P_1 y + P_0``
-    (if ``P_2 < 1/2``), and ``S E_D/(1 - S E_y)`` with ``S = 1 + s_1/(1 - gamma_T)`` (if
-    ``S E_y < 1``), since the errors of past steps add up to at most S times their size.
-    The gap grows with y, so the smaller of the two may be put into it.
+    The gap grows with y, so the smaller of the two bounds on y of `Closing` is put into
+    it: the positive root of the first, ``S E_D/(1 - S E_y)`` from the second.
     """
     one = 1 + 0 * (c.a_T + c.a_S)
-    infinite = one * np.inf
-    rest = one / 2 - gap.P_2
-    closes = rest > 0
-    safe = select(closes, rest, one)
-    root = (gap.P_1 + sqrt(power(gap.P_1, 2) + 4 * safe * gap.P_0)) / (2 * safe)
-    y = select(closes, root, infinite)
-    S = 1 + slice_first(c.a_T) / one_minus_g(2 * c.a_T)
-    E = e.E_top.plus(e.E_lat)
-    left = one - S * E.y
-    summable = left > 0
-    y = minimum(y, select(summable, S * E.D / select(summable, left, one), infinite))
+    margins = closing(c, gap, e)
+    by_gap, by_errors = (m > 0 for m in margins)
+    rest, left = (select(m > 0, m, one) for m in margins)
+    root = (gap.P_1 + sqrt(power(gap.P_1, 2) + 4 * rest * gap.P_0)) / (2 * rest)
+    summed = accumulation_sharp(c.a_T) * (e.E_top.D + e.E_lat.D) / left
+    y = minimum(select(by_gap, root, one * np.inf), select(by_errors, summed, one * np.inf))
     coupling = 2 * c.a_T + c.x  # 1/(1 + 1/coupling) = coupling/(1 + coupling), (E4)
     return 2 * gap.at(y) * coupling / (1 + coupling)
 

@@ -8,7 +8,8 @@ from typing import NamedTuple, Protocol
 from .arithmetic import Number
 from .global_bound import GlobalBound, global_repaired, global_stated
 from .local_bound import LocalBound, local_repaired, local_stated
-from .theorem import Setting, Tier
+from .setting import Setting
+from .theorem import Tier
 from .tight import choice
 
 

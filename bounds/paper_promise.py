@@ -12,7 +12,7 @@ from .constants import Constants, Source
 from .promise import Floats, Promise
 from .ratio import RatioParts, Reach, ratio_parts, smoothness
 from .reach import table
-from .theorem import Setting
+from .setting import Setting
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,6 @@ import numpy as np
 
 from .arithmetic import approximate, plain_floats
 from .certificate import (
-    Form,
-    Gap,
     StepError,
     best_shares,
     cost_gap,
@@ -20,8 +18,9 @@ from .certificate import (
     variational_slope,
 )
 from .energy import NEIGHBOURS, NEXT, OWN, SHARES, Couplings, Row, float_count, row_bound
+from .forms import Form, Gap
 from .promise import Floats, Promise
-from .theorem import Setting
+from .setting import Setting
 
 _CROWD = 1e200  # a boundary of more members is not planned with: floats would overflow
 _FAR = 10**9  # a horizon at which nothing of the top is left

@@ -4,101 +4,16 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal
 
 import numpy as np
 
-from ..graphs.errors import InputError
-from ..graphs.growth import Growth
-from .arithmetic import Number, kind_of, rounded_once
-from .energy import Couplings
-from .parameters import Parameters
+from .arithmetic import Number, rounded_once
+from .setting import Setting
 
 Tier = Literal["stated", "repaired", "sharp"]
 Kind = Literal["upper", "lower", "exact"]
-
-
-@dataclass(frozen=True)
-class Setting:
-    """What a theorem is asked about.
-
-    Parameters
-    ----------
-    parameters : Parameters
-        Strengths of the costs, in any arithmetic; float arrays broadcast.
-    growth : Growth
-        What the theory needs of the network.
-    k, r : int or array of int, optional
-        Prediction horizon (``k >= 2``) and communication radius (``r >= 1``): below these
-        LPC has no free variable.
-    unconstrained : bool
-        Whether every feasible set is all of R^n.
-    b : tuple of two numbers, optional
-        ``(b_1, b_2)`` of ``thm:networked-exp-decay-tight``; optimised if not given.
-
-    Raises
-    ------
-    InputError
-        If k, r or b are outside their range.
-    """
-
-    parameters: Parameters
-    growth: Growth
-    k: Any = None
-    r: Any = None
-    unconstrained: bool = False
-    b: tuple[Number, Number] | None = None
-
-    def __post_init__(self) -> None:
-        for name, least, why in (("k", 2, "horizon"), ("r", 1, "radius")):
-            value = getattr(self, name)
-            if value is None:
-                continue
-            array = np.asarray(value)
-            if array.dtype.kind not in "iu" or np.any(array < least):
-                raise InputError(
-                    f"{name} = {value}: the {why} must be an integer >= {least} "
-                    "(below, LPC has no free variable)",
-                    name,
-                )
-        typed = self.b is not None and kind_of(*self.b) == "float"
-        if typed and not all(np.isfinite(b) and b > 0 for b in self.b or ()):
-            raise InputError(f"b = {self.b}: two finite numbers > 0 are needed", "b")
-
-    @property
-    def a_T(self) -> Number:
-        """``l_T/mu``."""
-        return self.parameters.a_T
-
-    @property
-    def a_S(self) -> Number:
-        """``l_S/mu``."""
-        return self.parameters.a_S
-
-    @property
-    def max_degree(self) -> int:
-        """The largest degree Delta."""
-        return self.growth.max_degree
-
-    @property
-    def x(self) -> Number:
-        """``Delta l_S/mu``."""
-        return self.max_degree * self.a_S
-
-    @property
-    def couplings(self) -> Couplings:
-        """The ratios that all sharp statements depend on."""
-        return Couplings(self.a_T, self.a_S, self.parameters.condition, self.max_degree)
-
-    @property
-    def sized(self) -> bool:
-        """Whether both k and r are given."""
-        return self.k is not None and self.r is not None
-
-    def converted(self, arithmetic: str) -> Setting:
-        """Return the same setting in another arithmetic, see `Parameters.converted`."""
-        return replace(self, parameters=self.parameters.converted(arithmetic))
 
 
 @dataclass(frozen=True)
@@ -142,6 +57,12 @@ def at_least_zero(text: str, margin: Any, *, masks: bool | tuple[str, ...] = Tru
     """Return the hypothesis that a margin is ``>= 0``."""
     holds = np.greater_equal(margin, 0)
     return Hypothesis(text, bool(holds) if np.ndim(holds) == 0 else holds, margin, masks)
+
+
+def above_zero(text: str, margin: Any) -> Hypothesis:
+    """Return the hypothesis that a margin is ``> 0``; an undefined one fails."""
+    holds = np.greater(margin, 0)
+    return Hypothesis(text, bool(holds) if np.ndim(holds) == 0 else holds, margin)
 
 
 ASSUMPTION = Hypothesis("the costs obey Assumption 2.1 with the given mu, l_f, l_T, l_S")

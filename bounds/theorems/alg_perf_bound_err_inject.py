@@ -13,7 +13,8 @@ from ..global_bound import (
     global_sharp,
     global_stated,
 )
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Setting, Tier, at_least_zero, margin_of
+from ..setting import Setting
+from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier, at_least_zero, margin_of
 from .networked_exp_decay import CONVEX, SLATER
 
 

@@ -7,7 +7,8 @@ from typing import Any, ClassVar
 
 from ..arithmetic import Number, formula, power
 from ..decay import demko, g, gamma_S, gamma_T
-from ..theorem import Bound, Hypothesis, Setting, Tier
+from ..setting import Setting
+from ..theorem import Bound, Hypothesis, Tier
 
 BLOCKS = Hypothesis("A is positive definite and banded on the graph, D >= 0 block diagonal")
 

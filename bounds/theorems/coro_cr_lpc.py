@@ -12,7 +12,8 @@ from ..global_bound import GlobalBound, global_repaired, global_stated
 from ..local_bound import LocalBound, local_repaired, local_stated
 from ..ratio import RatioParts, ratio_parts, smoothness
 from ..reach import reach
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Setting, Tier, at_least_zero, margin_of
+from ..setting import Setting
+from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier, at_least_zero, margin_of
 from ..tight import Choice
 from .alg_perf_bound_err_inject import global_implied
 from .networked_exp_decay import CONVEX, SLATER

@@ -11,7 +11,8 @@ from ..arithmetic import Number, power, sqrt
 from ..global_bound import global_repaired, global_stated
 from ..local_bound import local_tight
 from ..ratio import smoothness
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Setting, Tier, at_least_zero, margin_of
+from ..setting import Setting
+from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier, at_least_zero, margin_of
 from ..tight import paper_choice
 from .alg_perf_bound_err_inject import global_implied
 from .coro_cr_lpc import NONNEGATIVE

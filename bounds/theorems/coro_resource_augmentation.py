@@ -15,7 +15,8 @@ from ..resource import (
     spatial_ratio_of_printed_rates,
     temporal_ratio_of_printed_rates,
 )
-from ..theorem import Bound, Hypothesis, Setting, Tier
+from ..setting import Setting
+from ..theorem import Bound, Hypothesis, Tier
 from .bottleneck import CLASS
 
 

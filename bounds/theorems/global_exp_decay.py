@@ -10,7 +10,8 @@ import numpy as np
 from ..arithmetic import Number, is_zero, select
 from ..decay import slice_decay
 from ..global_bound import GlobalBound, global_repaired, global_sharp, global_stated
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Setting, Tier, at_least_zero, margin_of
+from ..setting import Setting
+from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier, at_least_zero, margin_of
 from .networked_exp_decay import CONVEX, SLATER
 
 

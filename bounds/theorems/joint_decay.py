@@ -10,7 +10,8 @@ import numpy as np
 from ..arithmetic import Number, approximate
 from ..decay import gamma_S, gamma_T
 from ..joint import best_tilt, lateral_bound, top_bound
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Setting, Tier
+from ..setting import Setting
+from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier
 from .networked_exp_decay import CONVEX
 
 

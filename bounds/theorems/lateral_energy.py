@@ -9,7 +9,8 @@ import numpy as np
 
 from ..arithmetic import Number, approximate, plain_floats
 from ..energy import NEIGHBOURS, NEXT, OWN, Couplings, best_share, float_count, row_bound
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Setting, Tier
+from ..setting import Setting
+from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier
 from .networked_exp_decay import CONVEX
 
 

@@ -8,7 +8,8 @@ from typing import Any, ClassVar
 from ..arithmetic import Number, maximum
 from ..decay import gamma_S, gamma_T
 from ..local_bound import LocalBound, local_repaired, local_stated
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Setting, Tier, at_least_zero, margin_of
+from ..setting import Setting
+from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier, at_least_zero, margin_of
 
 SLATER = Hypothesis("feasible sets: all of R^n, or each with a Slater point for the barrier")
 CONVEX = Hypothesis("feasible sets: closed, convex, one for each agent and step")

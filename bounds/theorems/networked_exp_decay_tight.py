@@ -9,7 +9,8 @@ import numpy as np
 
 from ..arithmetic import Number, approximate
 from ..decay import gamma_S
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Setting, Tier, at_least_zero
+from ..setting import Setting
+from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier, at_least_zero
 from ..tight import Choice, choice, one_away, optimise
 from .networked_exp_decay import SLATER
 

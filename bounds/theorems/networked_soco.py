@@ -7,7 +7,8 @@ from typing import Any, ClassVar
 
 from ..arithmetic import Number, formula, sqrt
 from ..decay import demko, gamma_S
-from ..theorem import Bound, Hypothesis, Setting, Tier, at_least_zero, margin_of
+from ..setting import Setting
+from ..theorem import Bound, Hypothesis, Tier, at_least_zero, margin_of
 
 COSTS = Hypothesis("node costs mu-strongly convex, edge costs convex and l_S-smooth, all C^2")
 

@@ -11,7 +11,8 @@ from ..global_bound import GlobalBound, global_repaired, global_stated
 from ..local_bound import LocalBound, local_repaired, local_stated
 from ..ratio import per_step
 from ..reach import reach
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Setting, Tier
+from ..setting import Setting
+from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier
 from .coro_cr_lpc import implied
 from .networked_exp_decay import CONVEX, SLATER
 

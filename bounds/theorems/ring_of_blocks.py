@@ -7,7 +7,8 @@ from typing import Any, ClassVar
 
 from ..arithmetic import Number
 from ..lower import block_size, lambda_S_proven, spatial_excess
-from ..theorem import Bound, Hypothesis, Kind, Setting, Tier
+from ..setting import Setting
+from ..theorem import Bound, Hypothesis, Kind, Tier
 from .bottleneck import CLASS
 
 

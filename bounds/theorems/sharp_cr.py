@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
-import numpy as np
-
-from ..arithmetic import Number
-from ..certificate import best_shares, cost_gap, excess_ratio, step_error
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Setting, Tier
+from ..arithmetic import Number, maximum
+from ..certificate import best_shares, closing, cost_gap, excess_ratio, step_error
+from ..setting import Setting
+from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier, above_zero
 from .coro_cr_lpc import NONNEGATIVE
 from .networked_exp_decay import CONVEX
 
@@ -24,25 +23,22 @@ class Variational(Bound):
     conditional = ("cr", "cr_minus_one")
 
     def values(self, s: Setting) -> dict[str, Number]:
-        """Return the ratio and the form ``P_0, P_1, P_2`` it comes from."""
+        """Return the ratio, the form ``P_0, P_1, P_2`` it comes from, and its margin."""
         if not s.sized:
             return {}
         c, eta = s.couplings, s.growth.eta(s.r)
         error = step_error(c, eta, s.k, s.r, best_shares(self.variant, c, eta, s.k, s.r))
         gap = cost_gap(self.variant, c, s.k, error)
         excess = excess_ratio(c, gap, error)
-        return {"cr": 1 + excess, "cr_minus_one": excess, "eta": eta + 0 * s.a_T, **gap._asdict()}
+        values = {"cr": 1 + excess, "cr_minus_one": excess, "eta": eta + 0 * s.a_T}
+        return values | gap._asdict() | {"closing": maximum(*closing(c, gap, error))}
 
     def hypotheses(self, s: Setting, values: Mapping[str, Any]) -> tuple[Hypothesis, ...]:
-        """Return what the certificate needs; it closes where the ratio is finite."""
+        """Return what the certificate needs; it closes where ``closing > 0``."""
         found = [ASSUMPTION, NONNEGATIVE, self._feasible(s)]
         if s.sized:
-            closes = np.isfinite(values["cr_minus_one"])
-            text = "the certificate closes: P_2 < 1/2, or the step errors are summable"
-            margin = 0.5 - np.asarray(values["P_2"])
-            found.append(
-                Hypothesis(text, closes[()] if np.ndim(closes) else bool(closes), margin[()])
-            )
+            text = "the certificate closes: P_2 < 1/2, or S E_y < 1"
+            found.append(above_zero(text, values["closing"]))
         return tuple(found)
 
     def _feasible(self, s: Setting) -> Hypothesis:

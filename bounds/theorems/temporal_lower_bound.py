@@ -8,7 +8,8 @@ from typing import Any, ClassVar
 from ..arithmetic import Number, power
 from ..decay import gamma_T
 from ..lower import temporal_excess
-from ..theorem import Bound, Hypothesis, Kind, Setting, Tier
+from ..setting import Setting
+from ..theorem import Bound, Hypothesis, Kind, Tier
 from .bottleneck import CLASS
 
 
