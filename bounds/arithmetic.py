@@ -117,8 +117,13 @@ def minimum(x: Number, y: Number) -> Number:
 def select(condition: Any, yes: Number, no: Number) -> Number:
     """Choose by a condition on counts (or on floats): arrays elementwise, else one branch.
 
-    The condition must be decided: a bool or an array of bools.
+    A condition on SymPy symbols that is not decided gives a `sympy.Piecewise`; one on
+    intervals that is not certain counts as False.
     """
+    if kind_of(condition) == "sympy" and not condition.is_Atom:
+        import sympy
+
+        return sympy.Piecewise((yes, condition), (no, True))
     if np.ndim(condition) == 0:
         return yes if bool(condition) else no
     if kind_of(yes, no) == "wide":
@@ -127,7 +132,13 @@ def select(condition: Any, yes: Number, no: Number) -> Number:
 
 
 def approximate(x: Number) -> Any:
-    """Return a number of any arithmetic as a float (or float array), for searching."""
+    """Return a number of any arithmetic as a float (or float array), for searching.
+
+    Raises
+    ------
+    TypeError
+        If it holds a free symbol: where something is searched for, symbols will not do.
+    """
     match kind_of(x):
         case "wide":
             return x.to_float()

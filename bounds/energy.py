@@ -115,9 +115,9 @@ def row_bound(row: Row, c: Couplings, eta: Number, k: Any, r: Any, share: Any) -
     share_T, share_S = _times(used, one) / SHARES, _times(SHARES - used, one) / SHARES
     # cosh(alpha) = 1 + F/(b a) with b = 1/2 for k = 3 and 1 for k >= 4
     per_b = _by_horizon(k, 1, 2, 1)
-    a_T, x = (select(is_zero(y), one, y) for y in (c.a_T, c.x))  # where 0, not used
-    grown_T = _excess_exponential(_times(per_b, share_T) / a_T)  # e^alpha - 1
-    grown_S = _excess_exponential(2 * share_S / x)  # e^beta - 1
+    safe_a, safe_x = (select(is_zero(y), one, y) for y in (c.a_T, c.x))  # where 0, not used
+    grown_T = _excess_exponential(_times(per_b, share_T) / safe_a)  # e^alpha - 1
+    grown_S = _excess_exponential(2 * share_S / safe_x)  # e^beta - 1
     e = _times(np.where(still, 0, _by_horizon(k, *row.temporal)), c.a_T)
     x = max(c.max_degree - 1, 1) * c.a_S if row.neighbour else c.x
     reach = e * (1 + grown_T) + x * (1 + grown_S)  # X of (E2)

@@ -194,20 +194,21 @@ class Instance:
     def worst(self, k, r):
         """The largest ``cost(LPC)/OPT - 1`` over all omega, and such an omega.
 
-        ``cost(LPC) - OPT = |x - x*|_M^2 / 2`` exactly, so nothing is subtracted; the
-        quotient lives on the range of OPT, on whose null space LPC is right as well.
+        ``cost(LPC) - OPT = |x - x*|_M^2 / 2`` exactly, so nothing is subtracted. The
+        quotient lives on the range of OPT: where OPT is 0, LPC pays nothing either.
         """
-        R, W = self.rows
-        M, _ = self.gradient
-        off = np.linalg.cholesky(M).T @ (self.lpc(k, r) - self.optimum)
-        _, s, V = np.linalg.svd(W + R @ self.optimum, full_matrices=True)
-        s = np.pad(s, (0, len(V) - len(s)))
-        kept = s > 1e-7 * s[0]
-        null = np.linalg.norm(off @ V[~kept].T) if not kept.all() else 0.0
-        assert null <= 1e-7 * (1 + np.linalg.norm(off)), "LPC errs where OPT is 0"
-        basis = V[kept].T / s[kept]
+        root, basis = self.range
+        off = root @ (self.lpc(k, r) - self.optimum)
         _, top, directions = np.linalg.svd(off @ basis, full_matrices=False)
         return top[0] ** 2, basis @ directions[0]
+
+    @cached_property
+    def range(self):
+        """A root of M, and a basis of the range of OPT in which OPT is ``|.|^2 / 2``."""
+        R, W = self.rows
+        _, s, V = np.linalg.svd(W + R @ self.optimum, full_matrices=False)
+        kept = s > 1e-7 * s[0]
+        return np.linalg.cholesky(self.gradient[0]).T, V[kept].T / s[kept]
 
     def cost(self, x, omega):
         """The cost of trajectories, column by column."""

@@ -26,7 +26,7 @@ def ulps(value, exact):
     with mp.workdps(60):
         exact = +exact
         if mp.isinf(exact) or abs(exact) >= LARGEST:
-            return 0.0 if value == np.inf else mp.inf
+            return 0.0 if value == (np.inf if exact > 0 else -np.inf) else mp.inf
         if np.isnan(value):
             return mp.inf
         if exact == 0:

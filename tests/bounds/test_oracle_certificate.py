@@ -29,7 +29,6 @@ SMALL = [
 ]
 PAIRS = [(2, 1), (2, 2), (3, 1), (3, 2), (4, 2), (4, 3), (5, 3)]
 COUPLINGS = [(0.02, 0.05), (0.3, 0.02), (0.1, 0.3), (1.0, 1.0), (3.0, 0.5)]  # a and x
-CONDITIONS = [1.0, 8.0]
 MU = 0.375  # the brute force has mu = 1: a competitive ratio has no unit
 
 
@@ -107,9 +106,8 @@ def test_the_worst_instance_is_worse_than_others():
 def test_no_instance_exceeds_a_certificate(spec):
     rng = np.random.default_rng(SMALL.index(spec))
     small, growth = graph(spec), network_growth(network(spec))
-    a, x, l_f = (
-        np.array(v) for v in zip(*((*c, q) for c in COUPLINGS for q in CONDITIONS), strict=True)
-    )
+    a, x = np.repeat(COUPLINGS, 2, axis=0).T
+    l_f = np.tile([1.0, 8.0], len(COUPLINGS))
     k, r = np.array(PAIRS).T
     promised = certificates(growth, a[:, None], x[:, None], k, r, l_f[:, None])
     highest = 0.0
@@ -117,7 +115,7 @@ def test_no_instance_exceeds_a_certificate(spec):
         instance = oracle.random_instance(
             rng,
             small,
-            H=int(rng.integers(3, 7)),
+            H=int(rng.integers(3, 6)),
             a=a[i],
             a_S=x[i] / small.degree,
             l_f=l_f[i],
@@ -136,12 +134,12 @@ def test_no_instance_exceeds_a_certificate(spec):
 
 
 HARD = [
-    ("path:2", 4, 2, 1, 1.0, 0.1, 0.5),
-    ("path:3", 4, 2, 1, 0.3, 0.3, 0.5),
-    ("complete:4", 3, 3, 1, 0.3, 0.03, 0.3),
-    ("ring:5", 4, 2, 1, 0.1, 0.1, 0.5),
-    ("star:5", 4, 2, 1, 0.1, 0.1, 0.4),
-    ("ring:6", 5, 3, 2, 1.0, 1.0, 0.1),
+    ("path:2", 4, 2, 1, 1.0, 0.1, 0.25),
+    ("path:3", 4, 2, 1, 0.3, 0.3, 0.25),
+    ("complete:4", 3, 3, 1, 0.3, 0.03, 0.1),
+    ("ring:5", 4, 2, 1, 0.1, 0.1, 0.4),
+    ("star:5", 4, 2, 1, 0.1, 0.1, 0.25),
+    ("ring:6", 5, 3, 2, 1.0, 1.0, 0.06),
 ]
 
 
@@ -156,7 +154,9 @@ def climbed(spec, H, k, r, a, x, rounds):
         temporal, spatial = phi[:cut].reshape(H, -1), phi[cut:].reshape(H, -1)
         return oracle.angles(here, H, a, x / here.degree, temporal, spatial).worst(k, r)[0]
 
-    worst, _ = oracle.climb(rng, value, np.full(size, np.pi / 4), rounds)
+    lean = np.arctan(np.sqrt(1 + a))  # as in the worst single step
+    starts = [np.full(size, phi) for phi in (np.pi / 4, lean, np.pi / 2 - lean)]
+    worst, _ = oracle.climb(rng, value, max(starts, key=value), rounds)
     return worst, min(certificates(network_growth(network(spec)), a, x, k, r).values())
 
 
@@ -176,10 +176,11 @@ def test_climbing_long_stays_below_the_certificate(spec, H, k, r, a, x, near):
 
 
 def test_uniform_couplings_are_not_the_worst():
-    # (3, 2) is enough for 1.01 on the uniform ring, and not on the whole class
-    worst, promised = climbed("ring:6", 5, 3, 2, 1.0, 1.0, 400)
-    print(f"class {worst:.4e}")
-    assert 0.01 < worst <= promised * GUARD
+    ring = graph("ring:6")
+    even, _ = oracle.uniform(ring, 5, 1.0, 0.5).worst(3, 2)
+    worst, promised = climbed("ring:6", 5, 3, 2, 1.0, 1.0, 300)
+    print(f"class {worst:.4e} uniform {even:.4e}")
+    assert 1.3 * even < worst <= promised * GUARD
 
 
 @pytest.mark.parametrize(("k", "r"), [(2, 1), (3, 1)])
@@ -224,7 +225,7 @@ def as_network(found):
     return Network.from_networkx(lattice)
 
 
-@settings(max_examples=120)
+@settings(max_examples=60)
 @given(case=cases())
 def test_random_networks(case):
     small, k, r, a, x = (case[name] for name in ("graph", "k", "r", "a", "x"))

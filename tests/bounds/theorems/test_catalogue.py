@@ -1,16 +1,17 @@
 """Every value of every bound: floats against mpmath, and what all results have in common."""
 
+import itertools
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from nearsight.bounds import Parameters, Setting, bounds_for, catalogue
+from nearsight.graphs import parse_growth
 
-from ..support import FAMILIES, growth, log_uniform, moderate, settings_of, ulps
+from ..support import growth, log_uniform, moderate, settings_of, ulps
 
 LABELS = {
     "thm:networked-exp-decay",
@@ -31,6 +32,7 @@ LABELS = {
     "coro:resource-augmentation",
 }
 GRAPHS = ["path:1", "path:2", "ring:9", "star:6", "grid:5x7", "complete:5"]
+DEGENERATE = ["line", "tree:3", "path:1", "path:2", "star:6"]
 # its values with k and r are a plan, not a formula
 PLANNED = "coro:resource-augmentation"
 CLOSED = [b for b in catalogue() if b.label != PLANNED]
@@ -70,6 +72,8 @@ def agree(bound, s, limit=64):
     result = bound.in_floats(s)
     with mp.workdps(60):
         exact = bound.values(s.converted("mpmath"))
+        if not np.isfinite(result.get("a_tilde", 0.0) + result.get("a", 0.0)):
+            return  # a series diverges: no constants, see test_divergent_series_give_no_constants
         for name, value in result.items():
             if value is None:
                 continue
@@ -78,25 +82,24 @@ def agree(bound, s, limit=64):
                 assert np.isnan(value), name
             else:
                 assert ulps(value, number) <= limit, (name, value, mp.nstr(number, 25))
-    return result
 
 
 @every_closed
-@settings(max_examples=12)
+@settings(max_examples=8)
 @given(s=settings_of(b=(0.75, 3.0)))
 def test_floats_agree_with_sixty_digits(bound, s):
     agree(bound, s)
 
 
 @every_closed
-@settings(max_examples=12)
+@settings(max_examples=8)
 @given(s=settings_of(ratio=moderate, k=(2, 12), r=(1, 8), b=(0.75, 3.0), unconstrained=True))
 def test_floats_agree_with_sixty_digits_where_ratios_are_finite(bound, s):
     agree(bound, s)
 
 
 @every_closed
-@settings(max_examples=6)
+@settings(max_examples=3)
 @given(s=settings_of(specs=GRAPHS, ratio=moderate, k=(2, 12), r=(1, 8), b=(0.5, 2.0)))
 def test_floats_agree_with_sixty_digits_on_finite_graphs(bound, s):
     agree(bound, s)
@@ -134,22 +137,20 @@ def test_scale_changes_no_bit(bound, spec):
 
 
 @every_bound
-@pytest.mark.parametrize("spec", [*FAMILIES, *GRAPHS])
-@pytest.mark.parametrize(("l_T", "l_S"), [(0.0, 0.0), (0.0, 0.3), (0.3, 0.0), (0.3, 0.2)])
-@pytest.mark.parametrize(("k", "r"), [(2, 1), (3, 2), (7, 30)])
-def test_degenerate_settings_give_numbers_or_reasons(bound, spec, l_T, l_S, k, r):
-    if bound.label == PLANNED and (k, r) != (2, 1):
-        k = r = None
-    s = Setting(Parameters(1.0, 1.0, l_T, l_S), growth(spec), k, r, unconstrained=True)
-    result = bound.evaluate(s)
-    assert isinstance(result.guarantee, bool)
-    for name, value in result.values.items():
-        if value is None:
-            assert result.reasons[name]
-            assert "\n" not in result.reasons[name]
-        else:
-            assert np.isfinite(value)
-            assert name.endswith(("slack", "margin_T", "margin_S")) or value >= 0
+def test_degenerate_settings_give_numbers_or_reasons(bound):
+    couplings = [(0.0, 0.0), (0.0, 0.3), (0.3, 0.0), (0.3, 0.2)]
+    sizes = [(None, None)] if bound.label == PLANNED else [(2, 1), (7, 30)]
+    for spec, (l_T, l_S), (k, r) in itertools.product(DEGENERATE, couplings, sizes):
+        s = Setting(Parameters(1.0, 1.0, l_T, l_S), growth(spec), k, r, unconstrained=True)
+        result = bound.evaluate(s)
+        assert isinstance(result.guarantee, bool)
+        for name, value in result.values.items():
+            if value is None:
+                assert result.reasons[name]
+                assert "\n" not in result.reasons[name]
+            else:
+                assert np.isfinite(value)
+                assert name.endswith(("slack", "margin_T", "margin_S")) or value >= 0
 
 
 @every_bound
@@ -177,24 +178,33 @@ def test_arrays_agree_with_a_loop(bound, spec):
 
 
 @every_closed
-@settings(max_examples=4)
-@given(data=st.data())
-def test_arrays_of_horizons_and_radii_agree_with_a_loop(bound, data):
-    s = data.draw(settings_of(ratio=moderate, specs=["line", "tree:3", "star:6"], b=(0.5, 2.0)))
-    k, r = np.array([[2], [3], [4], [9]]), np.array([[1, 2, 3, 8]])
-    together = bound.evaluate(replace(s, k=k, r=r))
-    for i, j in np.ndindex(4, 4):
-        alone = bound.evaluate(replace(s, k=int(k[i, 0]), r=int(r[0, j])))
+@pytest.mark.parametrize("spec", ["line", "tree:3", "star:6"])
+@pytest.mark.parametrize(("l_T", "l_S", "unconstrained"), [(0.01, 1e-4, True), (1.0, 0.5, False)])
+def test_arrays_of_horizons_and_radii_agree_with_a_loop(bound, spec, l_T, l_S, unconstrained):
+    p, k, r = Parameters(1.0, 3.0, l_T, l_S), np.array([[2], [3], [9]]), np.array([[1, 2, 8]])
+    more = {"unconstrained": unconstrained, "b": (0.5, 2.0)}
+    together = bound.evaluate(Setting(p, growth(spec), k, r, **more))
+    for i, j in np.ndindex(3, 3):
+        alone = bound.evaluate(Setting(p, growth(spec), int(k[i, 0]), int(r[0, j]), **more))
         for name, value in together.values.items():
             number = alone.values.get(name)
             if value is None:
                 assert number is None or name in ("next", "neighbours")
                 continue
-            entry = np.broadcast_to(value, (4, 4))[i, j]
+            entry = np.broadcast_to(np.asarray(value, dtype=float), (3, 3))[i, j]
             if number is None:
                 assert not np.isfinite(entry), name
             else:
                 assert abs(entry - number) <= 8 * np.spacing(abs(number)), name
+
+
+def test_values_that_fail_one_hypothesis_everywhere_and_one_somewhere():
+    # l_T/mu <= 1/16 fails for all, condition <= 1/2 for some (k, r)
+    s = Setting(Parameters(1.0, 1.0, 1.0, 0.5), growth("line"), np.array([2, 30]), np.array([1, 9]))
+    (bound,) = bounds_for("coro:pure-exp-decay")[:1]
+    ratio = bound.evaluate(s).values["cr"]
+    assert ratio is None or np.isnan(np.asarray(ratio, dtype=float)).all()
+    assert np.asarray(ratio).dtype == float or ratio is None
 
 
 @every_bound
@@ -214,9 +224,18 @@ def test_parameters_at_the_ends_of_the_range(bound):
             assert value is None or np.isfinite(value), name
 
 
-def test_poly_of_any_exponent():
-    from nearsight.graphs import parse_growth
+@pytest.mark.parametrize("label", ["thm:networked-exp-decay-tight", "coro:CR-LPC"])
+def test_divergent_series_give_no_constants(label):
+    s = Setting(Parameters(1.0, 1.0, 1e-3, 1e-3), growth("tree:3"), 9, 9, b=(0.75, 3.0))
+    (*_, bound) = bounds_for(label)  # 1/(1 + b_1) > 1/2
+    result = bound.evaluate(s)
+    assert not result.guarantee
+    assert result.values["a_tilde"] is result.values["C_1"] is result.values["rho_T"] is None
+    assert "a_tilde" in result.reasons["C_1"]
 
-    s = Setting(Parameters(1.0, 1.0, 1e-3, 1e-3), parse_growth("poly:2.5,1.5", 2), 4, 3)
-    for bound in catalogue():
+
+def test_poly_of_any_exponent():
+    p = Parameters(1.0, 1.0, 1e-3, 1e-3)
+    s = Setting(p, parse_growth("poly:2.5,1.5", 2), 4, 3, b=(1.0, 3.0))
+    for bound in CLOSED:
         assert bound.evaluate(s).label == bound.label

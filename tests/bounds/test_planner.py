@@ -1,0 +1,274 @@
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from nearsight.bounds import (
+    Parameters,
+    Prices,
+    Search,
+    Setting,
+    bounds_for,
+    catalogue,
+    plan,
+)
+from nearsight.bounds.frontier import frontier
+from nearsight.bounds.sharp_promise import SharpPromise
+from nearsight.graphs import InputError, parse_growth
+
+from .support import growth
+
+SPECS = ["line", "grid2", "tree:3", "ring-of-blocks:2", "grid:5x7", "ring:9", "star:6", "path:2"]
+
+
+def reference(a):
+    """Theory section 4: ring, l_f = mu, a = x, so l_S = x/2."""
+    return Setting(Parameters(1.0, 1.0, a, a / 2), growth("line"))
+
+
+def ratio_at(s, label, variant, tier, k, r, unconstrained=False):
+    at = Setting(s.parameters, s.growth, k, r, unconstrained=unconstrained)
+    (bound,) = (b for b in bounds_for(label) if (b.variant, b.tier) == (variant, tier))
+    return bound.evaluate(at)
+
+
+@pytest.mark.parametrize(("a", "k", "r"), [(0.1, 6, 4), (1.0, 24, 19), (5, 81, 63), (20, 220, 161)])
+def test_reference_stated(a, k, r):
+    found = plan(reference(a), 1.01, tiers=("stated",))["stated"]
+    assert (found.pair.k, found.pair.r) == (k, r)
+    value = ratio_at(reference(a), "coro:CR-LPC", "", "stated", k, r).values["cr_minus_one"]
+    assert value == pytest.approx(found.pair.excess, rel=1e-9)
+    assert value <= 0.01
+
+
+@pytest.mark.parametrize(
+    ("a", "k", "r", "excess"),
+    [
+        (0.1, 2, 1, "2.5498e-03"),
+        (1.0, 4, 3, "4.8242e-03"),
+        (5.0, 8, 9, "7.0292e-03"),
+        (20.0, 19, 19, "9.6731e-03"),
+    ],
+)
+def test_reference_constrained(a, k, r, excess):
+    found = plan(reference(a), 1.01, tiers=("sharp",))["sharp"]
+    assert (found.pair.k, found.pair.r, found.pair.variant) == (k, r, "vi")
+    assert found.guarantee
+    result = ratio_at(reference(a), "nearsight:sharp-cr", "vi", "sharp", k, r)
+    assert result.guarantee
+    assert f"{result.values['cr_minus_one']:.4e}" == excess
+    assert f"{found.pair.excess:.4e}" == excess
+
+
+@pytest.mark.parametrize(
+    ("a", "k", "r", "excess"),
+    [
+        (0.1, 2, 1, "2.4947e-03"),
+        (1.0, 4, 3, "3.4717e-03"),
+        (5.0, 8, 8, "6.9775e-03"),
+        (20.0, 18, 18, "9.8566e-03"),
+    ],
+)
+def test_reference_mixed(a, k, r, excess):
+    pairs = frontier(SharpPromise(reference(a), "mix"), 0.01).pairs
+    best = min(pairs, key=lambda p: (p.k + p.r, p.k))
+    assert (best.k, best.r) == (k, r)
+    result = ratio_at(reference(a), "nearsight:sharp-cr", "mix", "sharp", k, r, True)
+    assert result.guarantee
+    assert f"{result.values['cr_minus_one']:.4e}" == excess
+
+
+@pytest.mark.parametrize("tier", ["stated", "repaired", "sharp"])
+@pytest.mark.parametrize("spec", SPECS)
+def test_plan_is_the_whole_frontier_of_its_tier(tier, spec):
+    for seed in range(2):
+        rng = np.random.default_rng([seed, len(spec)])
+        l_T, l_S = 10.0 ** rng.uniform(-2.5, -0.5, 2)
+        s = Setting(
+            Parameters(1.0, 2.0, l_T, l_S), growth(spec), unconstrained=bool(rng.integers(2))
+        )
+        target = 1 + 10.0 ** rng.uniform(-3, 0)
+        search = Search(max_k=40, max_r=40)
+        found = plan(s, target, search=search, tiers=(tier,), prices=Prices(3.0, 1.0))[tier]
+        pairs = found.frontier
+        if not pairs:
+            assert found.pair is found.cheapest is found.bottleneck is None
+            assert found.reason
+            assert not found.guarantee
+            continue
+        assert found.pair == min(pairs, key=lambda p: (p.k + p.r, p.k))
+        assert found.cheapest == min(pairs, key=lambda p: (3 * p.k + p.r, p.k + p.r, p.k))
+        assert found.work == tuple((p.k - 1) * s.growth.ball(p.r - 1) for p in pairs)
+        assert all(p.excess <= target - 1 for p in pairs)
+        for p in pairs:
+            best = best_ratio(s, tier, p.k, p.r)
+            assert best <= (target - 1) * (1 + 1e-9)
+            for k, r in ((p.k - 1, p.r), (p.k, p.r - 1)):
+                if tier != "repaired" and k >= 2 and r >= 1:  # repaired: b_1, b_2 are searched
+                    assert best_ratio(s, tier, k, r) > (target - 1) * (1 - 1e-9)
+
+
+def best_ratio(s, tier, k, r):
+    """The least CR - 1 of all statements of a tier that give one."""
+    at = Setting(s.parameters, s.growth, k, r, unconstrained=s.unconstrained)
+    values = [np.inf]
+    for b in catalogue():
+        if b.tier != tier or b.label not in ("coro:CR-LPC", "nearsight:sharp-cr"):
+            continue
+        if tier == "stated" and b.variant:
+            continue
+        value = b.evaluate(at).values["cr_minus_one"]
+        values.append(np.inf if value is None else value)
+    return min(values)
+
+
+@pytest.mark.parametrize("spec", ["line", "grid2", "grid:5x7"])
+@pytest.mark.parametrize("tier", ["stated", "repaired", "sharp"])
+def test_bottleneck_by_direct_comparison(tier, spec):
+    for l_T, l_S in ((0.5, 0.01), (0.01, 0.1), (0.1, 0.05)):
+        s = Setting(Parameters(1.0, 1.0, l_T, l_S), growth(spec))
+        found = plan(s, 1.05, tiers=(tier,))[tier]
+        if tier == "repaired" and "tight" in found.pair.variant:
+            continue
+        p, b = found.pair, found.bottleneck
+        here = best_ratio(s, tier, p.k, p.r)
+        longer, wider = best_ratio(s, tier, p.k + 1, p.r), best_ratio(s, tier, p.k, p.r + 1)
+        if tier != "repaired":
+            assert b.excess_k == pytest.approx(longer, rel=1e-9)
+            assert b.excess_r == pytest.approx(wider, rel=1e-9)
+            if abs(longer - wider) > 1e-9 * here:
+                expected = "neither" if min(longer, wider) >= here else "k"
+                expected = "r" if expected == "k" and wider < longer else expected
+                assert b.name == expected
+
+
+@settings(max_examples=30)
+@given(
+    spec=st.sampled_from(SPECS),
+    logs=st.tuples(st.floats(-3, 0), st.floats(-3, 0)),
+    loose=st.floats(-2, 0),
+    factor=st.floats(0.02, 1),
+    tier=st.sampled_from(["stated", "repaired", "sharp"]),
+)
+def test_plans_are_monotone_in_the_target(spec, logs, loose, factor, tier):
+    l_T, l_S = (10.0**e for e in logs)
+    s = Setting(Parameters(1.0, 2.0, l_T, l_S), growth(spec))
+    search = Search(max_k=200, max_r=100)
+    wide, narrow = (
+        plan(s, 1 + excess, search=search, tiers=(tier,))[tier]
+        for excess in (10.0**loose, 10.0**loose * factor)
+    )
+    if not narrow.frontier:
+        return
+    for p in narrow.frontier:
+        # with b_1, b_2 searched anew for each target, equal up to the search
+        assert any(q.k <= p.k and q.r <= p.r for q in wide.frontier)
+    for size in (lambda p: p.k, lambda p: p.r, lambda p: p.k + p.r):
+        assert min(map(size, wide.frontier)) <= min(map(size, narrow.frontier))
+
+
+@settings(max_examples=20)
+@given(spec=st.sampled_from(SPECS), logs=st.tuples(st.floats(-3, 1), st.floats(-3, 0)))
+def test_without_constraints_a_plan_is_no_worse(spec, logs):
+    l_T, l_S = (10.0**e for e in logs)
+    p, search = Parameters(1.0, 1.5, l_T, l_S), Search(max_k=60, max_r=60)
+    bound, free = (
+        plan(Setting(p, growth(spec), unconstrained=u), 1.02, search=search, tiers=("sharp",))
+        for u in (False, True)
+    )
+    for p in bound["sharp"].frontier:
+        assert any(q.k <= p.k and q.r <= p.r for q in free["sharp"].frontier)
+
+
+def test_limits_of_the_search():
+    s = reference(1.0)
+    assert plan(s, 1.01, search=Search(max_k=3), tiers=("sharp",))["sharp"].pair is None
+    for search in (Search(max_k=3), Search(max_r=2)):
+        found = plan(s, 1.01, search=search, tiers=("sharp",))["sharp"]
+        assert found.frontier == ()
+        assert found.work == ()
+        assert found.reason
+    found = plan(s, 1.01, search=Search(max_k=26), tiers=("stated",))["stated"]
+    assert [(p.k, p.r) for p in found.frontier] == [(24, 19)]
+    found = plan(s, 1.01, search=Search(max_r=18), tiers=("stated",))["stated"]
+    assert [(p.k, p.r) for p in found.frontier] == [(27, 18)]
+
+
+def test_unreachable_on_a_growing_tree():
+    s = Setting(Parameters(1.0, 1.0, 1.0, 100.0), growth("tree:3"))
+    for found in plan(s, 1.01, search=Search(max_k=2000, max_r=200)).tiers:
+        assert found.pair is None
+        assert "radius" in found.reason or "horizon" in found.reason
+
+
+def test_stated_plan_where_the_statement_is_not_proved_is_no_guarantee():
+    s = Setting(Parameters(1.0, 1.0, 1.0, 1e-6), growth("line"))
+    found = plan(s, 1.5)
+    assert found["stated"].pair is not None
+    assert not found["stated"].guarantee
+    assert "not a guarantee" in found["stated"].reason
+    assert found["repaired"].guarantee
+    assert found["sharp"].guarantee
+    assert plan(reference(1.0), 1.5)["stated"].guarantee
+
+
+def test_an_uncoupled_network_needs_the_least():
+    for spec in ("line", "path:1", "tree:3", "star:6"):
+        found = plan(Setting(Parameters(1.0, 1.0, 0.0, 0.0), growth(spec)), 1 + 1e-9)
+        for tier in ("repaired", "sharp"):
+            assert (found[tier].pair.k, found[tier].pair.r) == (2, 1)
+
+
+def test_a_single_agent_needs_no_radius():
+    s = Setting(Parameters(1.0, 1.0, 1.0, 7.0), growth("path:1"))
+    found = plan(s, 1.01)
+    assert found["sharp"].pair.r == found["repaired"].pair.r == 1
+
+
+def test_unknown_tier():
+    with pytest.raises(KeyError, match="stated, repaired, sharp"):
+        plan(reference(0.1), 1.5)["shrap"]
+
+
+@pytest.mark.parametrize("target", [1.0, 0.5, -1.0, np.inf, np.nan])
+def test_bad_target(target):
+    with pytest.raises(InputError, match=r"^target = [^\n]*$"):
+        plan(reference(1.0), target)
+
+
+def test_arrays_are_not_planned():
+    s = Setting(Parameters(1.0, 1.0, np.array([0.1, 1.0]), 0.1), growth("line"))
+    with pytest.raises(InputError, match=r"^[^\n]*scalar[^\n]*$"):
+        plan(s, 1.01)
+
+
+@pytest.mark.parametrize("price", [-1.0, np.inf, np.nan])
+@pytest.mark.parametrize("name", ["k", "r"])
+def test_bad_price(name, price):
+    with pytest.raises(InputError, match=rf"^price of {name} = [^\n]*$"):
+        Prices(**{name: price})
+
+
+def test_prices_move_the_choice():
+    s = reference(1.0)
+    free_radius = plan(s, 1.01, prices=Prices(1.0, 0.0), tiers=("stated",))["stated"].cheapest
+    free_horizon = plan(s, 1.01, prices=Prices(0.0, 1.0), tiers=("stated",))["stated"].cheapest
+    assert (free_radius.k, free_radius.r) == (24, 19)
+    assert (free_horizon.k, free_horizon.r) == (27, 18)
+
+
+@pytest.mark.parametrize("factor", [2.0**-300, 0.25, 2.0**200])
+@pytest.mark.parametrize("spec", ["line", "grid:5x7"])
+def test_scale_changes_no_plan(spec, factor):
+    before = plan(Setting(Parameters(1.3, 2.0, 0.3, 0.11), growth(spec)), 1.03)
+    scaled = Parameters(1.3 * factor, 2.0 * factor, 0.3 * factor, 0.11 * factor)
+    assert plan(Setting(scaled, growth(spec)), 1.03).tiers == before.tiers
+
+
+def test_a_target_next_to_one():
+    target = 1 + 2.0**-52
+    s = Setting(Parameters(1.0, 1.0, 0.1, 0.05), parse_growth("line"))
+    p = plan(s, target, tiers=("sharp",))["sharp"].pair
+    assert p.excess <= 2.0**-52
+    assert best_ratio(s, "sharp", p.k - 1, p.r) > 2.0**-52
+    assert best_ratio(s, "sharp", p.k, p.r - 1) > 2.0**-52
