@@ -76,10 +76,12 @@ class Parameters:
         except ValueError as error:
             shapes = ", ".join(f"{n}: {np.shape(v)}" for n, v in values.items())
             raise InputError(f"mu, l_f, l_T, l_S do not broadcast ({shapes})") from error
-        if np.any(np.asarray(self.l_f) < np.asarray(self.mu)):
+        l_f, mu = np.broadcast_arrays(self.l_f, self.mu)
+        if np.any(l_f < mu):
+            at = np.flatnonzero(l_f.ravel() < mu.ravel())[0]
             raise InputError(
-                f"l_f = {self.l_f} < mu = {self.mu}: a mu-strongly convex cost is at "
-                "least mu-smooth, so l_f >= mu is needed",
+                f"l_f = {l_f.flat[at]:g} < mu = {mu.flat[at]:g}: a mu-strongly convex cost is "
+                "at least mu-smooth, so l_f >= mu is needed",
                 "l_f",
             )
 

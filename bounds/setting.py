@@ -51,9 +51,10 @@ class Setting:
             if value is None:
                 continue
             array = np.asarray(value)
-            if array.dtype.kind not in "iu" or np.any(array < least):
+            bad = array if array.dtype.kind not in "iu" else array[array < least]
+            if bad.size:
                 raise InputError(
-                    f"{name} = {value}: the {why} must be an integer >= {least} "
+                    f"{name} = {bad.flat[0]}: the {why} must be an integer >= {least} "
                     "(below, LPC has no free variable)",
                     name,
                 )

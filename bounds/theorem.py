@@ -135,7 +135,7 @@ class Bound(ABC):
         reasons = self.missing(s)
         for name in self.conditional:
             for h in hypotheses:
-                if name in values and h.fails and h.covers(name):
+                if values.get(name) is not None and h.fails and h.covers(name):
                     values[name] = _masked(values[name], h.holds)
                     reasons[name] = f"hypothesis fails: {h.text}"
         for name, value in list(values.items()):

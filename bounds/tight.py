@@ -10,7 +10,6 @@ import numpy as np
 from ..graphs.growth import Growth
 from .arithmetic import Number, kind_of, plain_floats
 from .local_bound import LocalBound, Sums, local_tight, tight_margins
-from .wide import Wide
 
 _GRID = 24  # points an axis of the coarse search; two refinements by the same number
 
@@ -32,14 +31,21 @@ def sums(growth: Growth, b_1: Number, b_2: Number) -> Sums:
     where a series diverges.
     """
     ratios = ((1 + b_1) / (1 + b_1 + b_2), 1 / (1 + b_1))
-    if kind_of(b_1, b_2) == "wide" and any(z.high.ndim for z in ratios):
-        return Sums(*(Wide(growth.transform(z.to_float())) for z in ratios))
+    if kind_of(b_1, b_2) == "wide":
+        return Sums(*(z.map(growth.transform) for z in ratios))
     return Sums(*(growth.transform(z) for z in ratios))
 
 
-def choice(growth: Growth, a_T: Number, a_S: Number, b_1: Number, b_2: Number) -> Choice:
+def choice(
+    growth: Growth,
+    a_T: Number,
+    a_S: Number,
+    b_1: Number,
+    b_2: Number,
+    total: Sums | None = None,
+) -> Choice:
     """Return sums, margins and bound for given ``b_1, b_2``, in their arithmetic."""
-    total = sums(growth, b_1, b_2)
+    total = total or sums(growth, b_1, b_2)
     x = growth.max_degree * a_S
     margins = tight_margins(a_T, x, b_1, b_2, total.a_tilde)
     local = local_tight(a_T, a_S, growth.max_degree, b_1, b_2, *total)
@@ -67,9 +73,9 @@ def optimise(
 ) -> tuple[float, float]:
     """Return ``(b_1, b_2)`` with the least objective among those that obey the conditions.
 
-    A logarithmic grid over ``b_1`` and ``b_2`` (for ``Delta l_S > 0`` below
-    ``b_1 + b_2 <= 4 mu/(Delta l_S)``), refined twice around its best point; any point
-    gives a valid bound. Where no point obeys the conditions, `paper_choice`.
+    A logarithmic grid over ``b_1`` and ``u = b_2/(1+b_1)``, on which the two sums depend
+    one each, refined twice around its best point; any point gives a valid bound. Where
+    no point obeys the conditions, `paper_choice`.
 
     Parameters
     ----------
@@ -88,18 +94,19 @@ def optimise(
     low, high = np.log([ceiling * 1e-8] * 2), np.log([ceiling] * 2)
     best, best_value = start, np.inf
     for _ in range(3):
-        axes = [np.exp(np.linspace(low[i], high[i], _GRID)) for i in (0, 1)]
-        b_1, b_2 = (axis.ravel() for axis in np.meshgrid(*axes, indexing="ij"))
+        b_1, u = (np.exp(np.linspace(low[i], high[i], _GRID)) for i in (0, 1))
         with plain_floats():
-            found = choice(growth, a_T, a_S, b_1, b_2)
-            value = np.asarray(objective(found), dtype=float)
+            total = Sums(growth.transform(1 / (1 + u)), growth.transform(1 / (1 + b_1))[:, None])
+            b_2 = u * (1 + b_1[:, None])
+            found = choice(growth, a_T, a_S, b_1[:, None], b_2, total)
+            value = np.broadcast_to(objective(found), b_2.shape)
         good = (found.margins[0] >= 0) & (found.margins[1] >= 0)
-        good &= np.isfinite(found.sums.a) & np.isfinite(value)
+        good &= np.isfinite(total.a) & np.isfinite(value)
         if not good.any():
             break
-        i = int(np.argmin(np.where(good, value, np.inf)))
-        if value[i] < best_value:
-            best, best_value = (float(b_1[i]), float(b_2[i])), float(value[i])
-        step = (high - low) / (_GRID - 1)
-        low, high = np.log(best) - step, np.minimum(np.log(best) + step, np.log(ceiling))
+        i, j = np.unravel_index(np.argmin(np.where(good, value, np.inf)), b_2.shape)
+        if value[i, j] < best_value:
+            best, best_value = (float(b_1[i]), float(b_2[i, j])), float(value[i, j])
+        centre, step = np.log([b_1[i], u[j]]), (high - low) / (_GRID - 1)
+        low, high = centre - step, np.minimum(centre + step, np.log(ceiling))
     return best

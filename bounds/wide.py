@@ -7,6 +7,7 @@ numbers, 104 bits or more and no overflow or underflow on the way, and rounded o
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -48,7 +49,8 @@ class Wide:
 
     Supports ``+ - * /``, integer powers (arrays of exponents too), comparison and
     `sqrt`, elementwise with broadcasting. Each operation has a relative error of at
-    most a few ``2**-104``. Convert with ``Wide(float_or_array)`` and `to_float`.
+    most a few ``2**-104``; for a difference, relative to the operands, not to the result.
+    Convert with ``Wide(float_or_array)`` and `to_float`.
 
     Parameters
     ----------
@@ -66,7 +68,8 @@ class Wide:
         if isinstance(value, Wide):
             self.high, self.low, self.exponent = value.high, value.low, value.exponent
             return
-        if isinstance(value, int) and abs(value) > 2**53:
+        if isinstance(value, int | np.integer) and abs(int(value)) > 2**53:
+            value = int(value)
             shift = max(0, value.bit_length() - 106)  # 106 bits are all that fit
             top = value >> shift
             head = float(top >> 53) * 2.0**53
@@ -100,6 +103,22 @@ class Wide:
             rounded = _scaled(self.high, self.exponent)
         return float(rounded) if rounded.ndim == 0 else rounded
 
+    def map(self, function: Callable[[Any], Any]) -> Wide:
+        """Apply a function of one mpmath number to each element, at 130 bits.
+
+        For what has no `Wide` form of its own, such as the sum of a series.
+        """
+        from mpmath import mp
+
+        parts = np.broadcast_arrays(self.high, self.low, self.exponent)
+        high, low = np.empty(parts[0].shape), np.empty(parts[0].shape)
+        with mp.workprec(130):
+            for i, (head, tail, exponent) in enumerate(zip(*(p.flat for p in parts), strict=True)):
+                value = function(mp.ldexp(mp.mpf(float(head)) + float(tail), int(exponent)))
+                high.flat[i] = float(value)
+                low.flat[i] = float(value - high.flat[i]) if np.isfinite(high.flat[i]) else 0.0
+        return Wide._make(high, low, np.zeros(high.shape, np.int64))
+
     def __add__(self, other: Any) -> Wide:
         other = Wide(other)
         top = np.maximum(self.exponent, other.exponent)
@@ -124,7 +143,8 @@ class Wide:
             quotient = self.high / other.high
             product, error = _two_product(quotient, other.high)
             rest = ((self.high - product) - error) + (self.low - quotient * other.low)
-            low = np.where(np.isfinite(quotient), rest / other.high, 0.0)
+            both = np.isfinite(quotient) & np.isfinite(other.high)
+            low = np.where(both, rest / other.high, 0.0)
         return Wide._make(quotient, low, self.exponent - other.exponent)
 
     def sqrt(self) -> Wide:
@@ -164,17 +184,23 @@ class Wide:
     __radd__ = __add__
     __rmul__ = __mul__
 
+    def _above(self, other: Any) -> Floats:
+        """Return a float of the sign of ``self - other``, 0 for equal infinities."""
+        other = Wide(other)
+        same = (self.high == other.high) & (self.low == other.low)
+        return np.where(same & (self.exponent == other.exponent), 0.0, (self - other).high)
+
     def __lt__(self, other: Any) -> npt.NDArray[np.bool_]:
-        return np.asarray((self - other).high < 0.0)
+        return np.asarray(self._above(other) < 0.0)
 
     def __le__(self, other: Any) -> npt.NDArray[np.bool_]:
-        return np.asarray((self - other).high <= 0.0)
+        return np.asarray(self._above(other) <= 0.0)
 
     def __gt__(self, other: Any) -> npt.NDArray[np.bool_]:
-        return np.asarray((self - other).high > 0.0)
+        return np.asarray(self._above(other) > 0.0)
 
     def __ge__(self, other: Any) -> npt.NDArray[np.bool_]:
-        return np.asarray((self - other).high >= 0.0)
+        return np.asarray(self._above(other) >= 0.0)
 
     def __repr__(self) -> str:
         return f"Wide({self.to_float()!r})"

@@ -112,10 +112,14 @@ class Repaired(Stated):
 
     def hypotheses(self, s: Setting, values: Mapping[str, Any]) -> tuple[Hypothesis, ...]:
         """Return the growth that the argument allows."""
-        x = float(np.min(approximate(s.x)))
-        rate = (np.sqrt(x) / (np.sqrt(1 + x) + 1)) ** 0.25 if x > 0 else 1.0
-        holds = bool(converges_up_to(s.growth, float(rate)) or x == 0)
-        return (CLASS, Hypothesis("h(q) = O~(rho_S^{-q/4})", holds), _has_blocks(s))
+
+        def allowed(x: float) -> bool:  # rho_S^(1/4), and no condition where nothing is coupled
+            rate = (np.sqrt(x) / (np.sqrt(1 + x) + 1)) ** 0.25
+            return x == 0 or converges_up_to(s.growth, float(rate))
+
+        holds = np.vectorize(allowed, otypes=[bool])(approximate(s.x))[()]
+        grows = Hypothesis("h(q) = O~(rho_S^{-q/4})", holds if np.ndim(holds) else bool(holds))
+        return (CLASS, grows, _has_blocks(s))
 
 
 class Sharp(Repaired):

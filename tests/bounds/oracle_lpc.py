@@ -27,7 +27,8 @@ class Graph:
     def of(cls, network):
         """Take vertices and edges, and nothing else, from a nearsight `Network`."""
         ends = [(u, int(v)) for u in range(network.vertices) for v in network.neighbours(u)]
-        return cls(network.vertices, np.array([e for e in ends if e[0] < e[1]]).reshape(-1, 2))
+        edges = np.array([e for e in ends if e[0] < e[1]], dtype=int)
+        return cls(network.vertices, edges.reshape(-1, 2))
 
     @cached_property
     def distance(self):
@@ -40,32 +41,34 @@ class Graph:
         return int(np.bincount(self.edges.ravel(), minlength=self.vertices).max())
 
 
-def difference(l, n=1):
-    """Factor of ``(l/4) |y - z|^2``, whose Hessian has norm l."""
-    return np.sqrt(l / 2) * np.hstack([np.eye(n), -np.eye(n)])
+def difference(norm, n=1):
+    """Factor of ``(l/4) |y - z|^2``, whose Hessian has the norm l."""
+    return np.sqrt(norm / 2) * np.hstack([np.eye(n), -np.eye(n)])
 
 
-def tilted(l, phi, sign=-1.0):
+def tilted(norm, phi, sign=-1.0):
     """Factors of ``(l/2) (cos(phi) y + sign sin(phi) z)^2``, shape (*phi.shape, 1, 2)."""
     phi = np.asarray(phi)
-    return np.sqrt(l) * np.stack([np.cos(phi), sign * np.sin(phi)], axis=-1)[..., None, :]
+    return np.sqrt(norm) * np.stack([np.cos(phi), sign * np.sin(phi)], axis=-1)[..., None, :]
 
 
-def couplings(rng, shape, l, n, style):
-    """Factors of couplings with Hessians of norm at most l, shape (*shape, 2n, 2n)."""
+def couplings(rng, shape, norm, n, style):
+    """Factors of couplings with Hessians of norm at most ``norm``, shape (*shape, 2n, 2n)."""
     found = np.zeros((*shape, 2 * n, 2 * n))
     if style == "difference":
-        found[..., :n, :] = difference(l, n)
+        found[..., :n, :] = difference(norm, n)
     elif style == "tilted":  # near the angle that is worst for one step; one sign for all
-        base = rng.choice([np.pi / 4, np.arctan(np.sqrt(1 + l)), np.arctan(1 / np.sqrt(1 + l))])
+        base = rng.choice(
+            [np.pi / 4, np.arctan(np.sqrt(1 + norm)), np.arctan(1 / np.sqrt(1 + norm))]
+        )
         phi = base + rng.choice([0.0, 0.1, 0.5]) * rng.normal(size=shape)
-        pair = tilted(l, phi, rng.choice([-1.0, 1.0]))
+        pair = tilted(norm, phi, rng.choice([-1.0, 1.0]))
         for i in range(n):
             found[..., i, i::n] = pair[..., 0, :]
-    else:  # any Hessian of norm l
+    else:  # any Hessian of that norm
         matrix = rng.normal(size=(*shape, 2 * n, 2 * n)) * rng.choice([0.0, 0.3, 1.0], size=2 * n)
         u, s, v = np.linalg.svd(matrix + 1e-3 * rng.normal(size=matrix.shape))
-        found = np.sqrt(l) * np.einsum("...ij,...j,...jk->...ik", u, s / s[..., :1], v)
+        found = np.sqrt(norm) * np.einsum("...ij,...j,...jk->...ik", u, s / s[..., :1], v)
     return found
 
 
@@ -122,8 +125,7 @@ class Instance:
     @cached_property
     def rows(self):
         """``(R, W)`` of the cost ``|R x + W omega|^2 / 2``."""
-        n, N = self.n, self.graph.vertices
-        size = self.H * self.slice
+        n, size = self.n, self.H * self.slice
         blocks = [(F, [(t, v)]) for (t, v), F in _enumerate(self.node)]
         pairs = [(G, [(t - 1, v), (t, v)]) for (t, v), G in _enumerate(self.temporal)]
         edges = self.graph.edges
@@ -146,7 +148,6 @@ class Instance:
                 W[here, shift : shift + len(G)] = -np.eye(len(G))
                 shift += len(G)
             row += len(G)
-        assert N * n * self.H == size
         return R, W
 
     @cached_property
@@ -417,4 +418,4 @@ def connected_graph(vertices, parents, extra):
     tree = {(p % i, i) for i, p in zip(range(1, vertices), parents, strict=True)}
     others = [e for e in combinations(range(vertices), 2) if e not in tree]
     chosen = {others[i % len(others)] for i in extra} if others else set()
-    return Graph(vertices, np.array(sorted(tree | chosen)).reshape(-1, 2))
+    return Graph(vertices, np.array(sorted(tree | chosen), dtype=int).reshape(-1, 2))

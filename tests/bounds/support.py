@@ -44,8 +44,11 @@ ratios = log_uniform(-150, 150)
 moderate = log_uniform(-3, 2)
 
 
+conditions = log_uniform(0, 6)
+
+
 @st.composite
-def parameters(draw, ratio=ratios, condition=log_uniform(0, 6)):
+def parameters(draw, ratio=ratios, condition=conditions):
     mu = draw(log_uniform(-100, 100))
     l_f = max(mu, mu * draw(condition))
     return Parameters(mu, l_f, mu * draw(ratio), mu * draw(ratio))

@@ -3,7 +3,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp, mpf
 
@@ -26,6 +26,7 @@ EXACT = {
 
 
 @pytest.mark.parametrize("name", EXACT)
+@settings(max_examples=50)
 @given(y=ratios)
 def test_closed_forms_to_the_last_bits(name, y):
     assert ulps(getattr(decay, name)(y), EXACT[name](y)) <= 1
@@ -79,6 +80,7 @@ def test_demko_is_one_from_a_large_condition_on():
 
 
 @pytest.mark.parametrize("name", [*EXACT, "demko"])
+@settings(max_examples=30)
 @given(y=ratios)
 def test_intervals_enclose(name, y):
     argument = 1 + y if name == "demko" else y

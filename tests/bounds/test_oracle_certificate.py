@@ -129,7 +129,6 @@ def test_no_instance_exceeds_a_certificate(spec):
                 worst, _ = instance.worst(kk, rr)
                 assert worst <= least * GUARD, (a[i], x[i], l_f[i], style, kk, rr)
                 highest = max(highest, worst / least)
-    print(f"TIGHT {spec}: worst/certificate up to {highest:.4f}")
     assert highest > 0.1  # the certificate is within reach: a smaller one would be caught
 
 
@@ -163,7 +162,6 @@ def climbed(spec, H, k, r, a, x, rounds):
 @pytest.mark.parametrize(("spec", "H", "k", "r", "a", "x", "near"), HARD)
 def test_climbing_stays_below_the_certificate(spec, H, k, r, a, x, near):
     worst, promised = climbed(spec, H, k, r, a, x, 60)
-    print(f"TIGHT climb {spec} {worst / promised:.4f}")
     assert near * promised < worst <= promised * GUARD
 
 
@@ -171,7 +169,6 @@ def test_climbing_stays_below_the_certificate(spec, H, k, r, a, x, near):
 @pytest.mark.parametrize(("spec", "H", "k", "r", "a", "x", "near"), HARD)
 def test_climbing_long_stays_below_the_certificate(spec, H, k, r, a, x, near):
     worst, promised = climbed(spec, H, k, r, a, x, 3000)
-    print(f"TIGHT long climb {spec} {worst / promised:.4f}")
     assert near * promised < worst <= promised * GUARD
 
 
@@ -179,7 +176,6 @@ def test_uniform_couplings_are_not_the_worst():
     ring = graph("ring:6")
     even, _ = oracle.uniform(ring, 5, 1.0, 0.5).worst(3, 2)
     worst, promised = climbed("ring:6", 5, 3, 2, 1.0, 1.0, 300)
-    print(f"class {worst:.4e} uniform {even:.4e}")
     assert 1.3 * even < worst <= promised * GUARD
 
 
@@ -307,6 +303,5 @@ def test_constrained_play_obeys_vi(spec, H, k, r, a, x, l_f, n):
         # E4, with constraints: OPT pays for every deviation from the targets
         square = np.sum((played.optimum - played.theta) ** 2, axis=0)
         assert np.all(least >= 0.5 * (1 + 1 / (2 * a + x)) * square * (1 - 1e-9))
-    print(f"TIGHT constrained {spec} k={k} r={r}: {highest / promised:.4f}")
     assert 0.005 * promised < highest <= promised * GUARD
     assert binding > 0.01

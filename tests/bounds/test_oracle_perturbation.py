@@ -40,7 +40,7 @@ def graph(spec):
 def result(label, tier, spec, a, x, k=None, r=None, variant="", l_f=1.0):
     (bound,) = (b for b in bounds_for(label) if (b.tier, b.variant) == (tier, variant))
     g = growth(spec)
-    return bound.evaluate(Setting(Parameters(1.0, l_f, a, x / g.max_degree), g, k, r))
+    return bound.evaluate(Setting(Parameters(1.0, l_f, a, x / max(g.max_degree, 1)), g, k, r))
 
 
 @st.composite
@@ -118,7 +118,6 @@ def test_local_bounds_are_within_reach(a, x):
     rng = np.random.default_rng(4)
     small, k, r = graph("path:7"), 3, 2
     repaired = result("thm:networked-exp-decay", "repaired", "path:7", a, x).values
-    nearest = {"repaired": 0.0, "joint": 0.0}
 
     def ratios(phi):
         temporal, spatial = phi[:21].reshape(3, 7), phi[21:].reshape(3, 6)
@@ -134,12 +133,11 @@ def test_local_bounds_are_within_reach(a, x):
             "joint": max(s.size[own].max() / top, s.size[side].max() / lateral),
         }
 
-    for aim in nearest:
-        nearest[aim], _ = oracle.climb(rng, lambda p: ratios(p)[aim], np.full(39, np.pi / 4), 150)  # noqa: B023
-        assert nearest[aim] <= GUARD
-    print(f"TIGHT local {a} {x} {nearest}")
-    assert nearest["repaired"] > 0.1
-    assert nearest["joint"] > 0.2
+    start = np.full(39, np.pi / 4)
+    repaired_share, _ = oracle.climb(rng, lambda phi: ratios(phi)["repaired"], start, 100)
+    joint_share, _ = oracle.climb(rng, lambda phi: ratios(phi)["joint"], start, 100)
+    assert 0.08 < repaired_share <= GUARD
+    assert 0.1 < joint_share <= GUARD
 
 
 # -- time slices: sharp ---------------------------------------------------------------------
@@ -201,12 +199,12 @@ def steepest(a, d):
 
 @pytest.mark.parametrize("a", [0.01, 0.3, 1.0, 7.0, 100.0])
 def test_slice_decay_is_attained(a):
-    sharp = result("thm:global-exp-decay", "sharp", "path:1", a, 0.0, k=2) if a == 0.3 else None
-    for d in (1, 2):
+    sharp = result("thm:global-exp-decay", "sharp", "path:1", a, 0.0, k=2)
+    for d in (1, 2, 4):
         assert steepest(a, d) == pytest.approx(slice_decay(a, d), rel=1e-6)
-    if sharp is not None:
-        assert sharp.values["s_k_minus_1"] == pytest.approx(steepest(a, 1), rel=1e-6)
-        assert sharp.values["s_k"] == pytest.approx(steepest(a, 2), rel=1e-6)
+    assert sharp.values["s_k_minus_1"] == pytest.approx(steepest(a, 1), rel=1e-6)
+    assert sharp.values["s_k"] == pytest.approx(steepest(a, 2), rel=1e-6)
+    assert sharp.guarantee
 
 
 @pytest.mark.parametrize("a", [0.05, 1.0, 20.0])
@@ -218,13 +216,15 @@ def test_uniform_path_decays_like_gamma(a):
     np.testing.assert_allclose(moved[d - 1], gamma_T(a) ** d, rtol=1e-10)
 
 
-@pytest.mark.parametrize(("a", "holds"), [(0.05, False), (0.6108, False), (0.6110, True), (4.0, True)])
+@pytest.mark.parametrize(
+    ("a", "holds"), [(0.05, False), (0.6108, False), (0.6110, True), (4.0, True)]
+)
 def test_stated_global_bound_fails_for_weak_couplings(a, holds):
     stated = result("thm:global-exp-decay", "stated", "path:1", a, 0.0)
     assert stated.guarantee is holds
     C, rate = stated.values["C_G"], stated.values["rho_G"]
     for d in (1, 2):
-        assert (steepest(a, d) <= C * rate**d) is holds
+        assert bool(steepest(a, d) <= C * rate**d) is holds
 
 
 # -- the stated local bound -----------------------------------------------------------------
@@ -254,7 +254,7 @@ def test_stated_local_bound_holds_where_it_is_called_a_guarantee(problem):
 
 
 @settings(max_examples=60)
-@given(problem=local_problems(-3.0, -1.3, ("path:7", "ring:5", "star:5", "cubic tree")))
+@given(problem=local_problems(-3.5, -1.8, ("path:7", "ring:5", "star:5", "cubic tree")))
 def test_tight_theorem_inside_its_hypotheses(problem):
     spec, a, x, _, _, s = problem
     found = result("thm:networked-exp-decay-tight", "stated", spec, a, x)
@@ -262,14 +262,17 @@ def test_tight_theorem_inside_its_hypotheses(problem):
         assert np.all(s.size <= promised(found.values, s, spec) * GUARD)
 
 
+def test_stated_local_bound_is_a_guarantee_somewhere():
+    assert result("thm:networked-exp-decay", "stated", "star:5", 1.0, 1.0).guarantee
+
+
 def test_tight_theorem_applies_to_weak_couplings():
     found = result("thm:networked-exp-decay-tight", "stated", "ring:5", 0.01, 0.05)
     assert found.guarantee
-    # about half of the constant is needed: the top variable above the vertex itself
+    # a good part of the constant is needed: for the top variable above the vertex itself
     s = oracle.sensitivity(oracle.uniform(graph("ring:5"), 2, 0.01, 0.025), 0, 2, 1)
     share = (s.size / promised(found.values, s, "ring:5")).max()
-    print(f"TIGHT tight theorem {share:.4f}")
-    assert 0.01 < share <= 1
+    assert 0.1 < share <= 1
 
 
 # -- lateral energy -------------------------------------------------------------------------
@@ -355,12 +358,16 @@ def largest_response(L, sizes, rng):
     return best
 
 
-@pytest.mark.parametrize(("spec", "k", "r", "a", "x"), ENERGY)
-@pytest.mark.parametrize("row", ROWS)
+CASES = [
+    (row, *case)
+    for row, (k, r) in {"own": (2, 1), "next": (3, 1), "neighbours": (2, 2)}.items()
+    for case in ENERGY
+    if case[1] >= k and case[2] >= r
+]
+
+
+@pytest.mark.parametrize(("row", "spec", "k", "r", "a", "x"), CASES)
 def test_lateral_energy(row, spec, k, r, a, x):
-    if (row == "next" and k < 3) or (row == "neighbours" and r < 2):
-        assert row not in {"own"}
-        return
     found, rng = graph(spec), np.random.default_rng(6)
     a_S = x / found.degree
     count = growth(spec).eta(r)
@@ -406,7 +413,6 @@ def test_lateral_energy(row, spec, k, r, a, x):
         listed = result("nearsight:lateral-energy", "sharp", spec, a, x, k, r)
         assert listed.guarantee
         assert response["D_part"] <= listed.values[row] * GUARD
-    print("TIGHT energy", row, spec, k, r, {p: round(float(v), 3) for p, v in highest.items()})
     assert min(highest.values()) > 0.02
 
 

@@ -81,7 +81,7 @@ def test_reference_mixed(a, k, r, excess):
 @pytest.mark.parametrize("tier", ["stated", "repaired", "sharp"])
 @pytest.mark.parametrize("spec", SPECS)
 def test_plan_is_the_whole_frontier_of_its_tier(tier, spec):
-    for seed in range(2):
+    for seed in range(1):
         rng = np.random.default_rng([seed, len(spec)])
         l_T, l_S = 10.0 ** rng.uniform(-2.5, -0.5, 2)
         s = Setting(
@@ -125,7 +125,7 @@ def best_ratio(s, tier, k, r):
 @pytest.mark.parametrize("spec", ["line", "grid2", "grid:5x7"])
 @pytest.mark.parametrize("tier", ["stated", "repaired", "sharp"])
 def test_bottleneck_by_direct_comparison(tier, spec):
-    for l_T, l_S in ((0.5, 0.01), (0.01, 0.1), (0.1, 0.05)):
+    for l_T, l_S in ((0.5, 0.01), (0.01, 0.1)):
         s = Setting(Parameters(1.0, 1.0, l_T, l_S), growth(spec))
         found = plan(s, 1.05, tiers=(tier,))[tier]
         if tier == "repaired" and "tight" in found.pair.variant:
@@ -142,7 +142,7 @@ def test_bottleneck_by_direct_comparison(tier, spec):
                 assert b.name == expected
 
 
-@settings(max_examples=30)
+@settings(max_examples=15)
 @given(
     spec=st.sampled_from(SPECS),
     logs=st.tuples(st.floats(-3, 0), st.floats(-3, 0)),
@@ -167,7 +167,7 @@ def test_plans_are_monotone_in_the_target(spec, logs, loose, factor, tier):
         assert min(map(size, wide.frontier)) <= min(map(size, narrow.frontier))
 
 
-@settings(max_examples=20)
+@settings(max_examples=8)
 @given(spec=st.sampled_from(SPECS), logs=st.tuples(st.floats(-3, 1), st.floats(-3, 0)))
 def test_without_constraints_a_plan_is_no_worse(spec, logs):
     l_T, l_S = (10.0**e for e in logs)

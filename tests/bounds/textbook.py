@@ -312,16 +312,16 @@ def spatial(a_S, d, r):
     The inverse on the ball of radius r by elimination: blocks act through their sums and the
     differences inside one block, both of which a symmetric solution keeps apart.
     """
-    l = a_S / 2
-    x = 4 * d * l
-    B = 1 / (d * mp.sqrt(1 + x)) + (1 - mpf(1) / d) / (1 + 2 * d * l)
-    diagonal = 1 + 2 * d * l
+    ell = a_S / 2
+    x = 4 * d * ell
+    B = 1 / (d * mp.sqrt(1 + x)) + (1 - mpf(1) / d) / (1 + 2 * d * ell)
+    diagonal = 1 + 2 * d * ell
     if r == 1:  # j alone between its 2d neighbours
-        return (B - 1 / (diagonal - 2 * d * l**2 / diagonal)) / (1 - B)
-    # chain of 2r + 1 blocks: on block sums I + lL is tridiagonal, off-diagonal -d l
+        return (B - 1 / (diagonal - 2 * d * ell**2 / diagonal)) / (1 - B)
+    # chain of 2r + 1 blocks: on block sums I + lL is tridiagonal, off-diagonal -d l (ell here)
     side = mpf(0)
     for _ in range(r):
-        side = (d * l) ** 2 / (diagonal - side)
+        side = (d * ell) ** 2 / (diagonal - side)
     chain = 1 / (diagonal - 2 * side)
     inner = chain / d + (1 - mpf(1) / d) / diagonal
     return (B - inner) / (1 - B)

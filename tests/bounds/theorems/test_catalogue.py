@@ -32,7 +32,7 @@ LABELS = {
     "coro:resource-augmentation",
 }
 GRAPHS = ["path:1", "path:2", "ring:9", "star:6", "grid:5x7", "complete:5"]
-DEGENERATE = ["line", "tree:3", "path:1", "path:2", "star:6"]
+DEGENERATE = ["line", "path:1", "path:2"]
 # its values with k and r are a plan, not a formula
 PLANNED = "coro:resource-augmentation"
 CLOSED = [b for b in catalogue() if b.label != PLANNED]
@@ -85,14 +85,14 @@ def agree(bound, s, limit=64):
 
 
 @every_closed
-@settings(max_examples=8)
+@settings(max_examples=5)
 @given(s=settings_of(b=(0.75, 3.0)))
 def test_floats_agree_with_sixty_digits(bound, s):
     agree(bound, s)
 
 
 @every_closed
-@settings(max_examples=8)
+@settings(max_examples=5)
 @given(s=settings_of(ratio=moderate, k=(2, 12), r=(1, 8), b=(0.75, 3.0), unconstrained=True))
 def test_floats_agree_with_sixty_digits_where_ratios_are_finite(bound, s):
     agree(bound, s)
@@ -105,7 +105,7 @@ def test_floats_agree_with_sixty_digits_on_finite_graphs(bound, s):
     agree(bound, s)
 
 
-@settings(max_examples=8)
+@settings(max_examples=5)
 @pytest.mark.parametrize("label", ["thm:networked-exp-decay-tight", "coro:CR-LPC"])
 @given(s=settings_of(ratio=log_uniform(-6, -2), k=(2, 12), r=(1, 8)))
 def test_floats_agree_at_the_optimised_parameters(label, s):
@@ -120,9 +120,9 @@ def test_asymptotic_ratios_agree_with_sixty_digits(bound, s):
 
 
 @every_bound
-@pytest.mark.parametrize("spec", ["line", "grid2", "ring-of-blocks:2", "path:2"])
+@pytest.mark.parametrize("spec", ["grid2", "path:2"])
 def test_scale_changes_no_bit(bound, spec):
-    for seed in range(3):
+    for seed in range(2):
         rng = np.random.default_rng([seed, len(spec)])
         l_T, l_S = 10.0 ** rng.uniform(-3, 1, 2)
         sizes = {"k": int(rng.integers(2, 7)), "r": int(rng.integers(1, 5))}
