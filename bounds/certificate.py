@@ -21,10 +21,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .arithmetic import Number, approximate, minimum, plain_floats, power, select, sqrt
+from .arithmetic import Number, approximate, minimum, power, select, sqrt
 from .decay import slice_decay, slice_first
 from .energy import NEIGHBOURS, NEXT, OWN, Couplings, Row, best_share, float_count, row_bound
 from .forms import Form, Gap
+from .formula import plain_floats
 from .global_bound import accumulation_sharp
 
 KINDS = ("smooth", "mix", "vi")

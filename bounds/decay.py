@@ -15,7 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from .arithmetic import Number, asinh, formula, maximum, power, select, sqrt
+from .arithmetic import Number, asinh, maximum, power, select, sqrt
+from .formula import formula
 
 
 @formula()

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from .arithmetic import Number, formula, maximum, sqrt
+from .arithmetic import Number, maximum, sqrt
 from .decay import demko, gamma_T, half_over_g, one_minus_g, slice_first
+from .formula import formula
 
 
 class GlobalBound(NamedTuple):

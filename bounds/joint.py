@@ -16,8 +16,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .arithmetic import Number, formula, minimum, power, select, sqrt
+from .arithmetic import Number, minimum, power, select, sqrt
 from .decay import demko, g
+from .formula import formula
 
 
 class Tilt(NamedTuple):

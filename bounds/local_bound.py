@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from .arithmetic import Number, formula, maximum, power, sqrt
+from .arithmetic import Number, maximum, power, sqrt
 from .decay import demko, g, half_over_g, one_minus_rho, over_rho, rho
+from .formula import formula
 
 
 class LocalBound(NamedTuple):

@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from .arithmetic import Number, plain_floats
+from .arithmetic import Number
 from .constants import Constants, Source
+from .formula import plain_floats
 from .promise import Floats, Promise
 from .ratio import RatioParts, Reach, ratio_parts, smoothness
 from .reach import table

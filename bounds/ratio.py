@@ -6,7 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .arithmetic import Number, formula, power
+from .arithmetic import Number, power
+from .formula import formula
 from .global_bound import GlobalBound
 from .local_bound import LocalBound
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .arithmetic import approximate, plain_floats
+from .arithmetic import approximate
 from .certificate import (
     StepError,
     best_shares,
@@ -19,6 +19,7 @@ from .certificate import (
 )
 from .energy import NEIGHBOURS, NEXT, OWN, SHARES, Couplings, Row, float_count, row_bound
 from .forms import Form, Gap
+from .formula import plain_floats
 from .promise import Floats, Promise
 from .setting import Setting
 

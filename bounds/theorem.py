@@ -9,7 +9,8 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
-from .arithmetic import Number, rounded_once
+from .arithmetic import Number
+from .formula import rounded_once
 from .setting import Setting
 
 Tier = Literal["stated", "repaired", "sharp"]

@@ -8,7 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..graphs.growth import Growth
-from .arithmetic import Number, kind_of, plain_floats
+from .arithmetic import Number, kind_of
+from .formula import plain_floats
 from .local_bound import LocalBound, Sums, local_tight, tight_margins
 
 _GRID = 24  # points an axis of the coarse search; two refinements by the same number

@@ -2,6 +2,9 @@
 
 import os
 
+# One thread for linear algebra, as many tests run side by side; read when numpy is imported.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 import mpmath
 import pytest
 from hypothesis import settings

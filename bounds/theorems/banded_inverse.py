@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
-from ..arithmetic import Number, formula, power
+from ..arithmetic import Number, power
 from ..decay import demko, g, gamma_S, gamma_T
+from ..formula import formula
 from ..setting import Setting
 from ..theorem import Bound, Hypothesis, Tier
 

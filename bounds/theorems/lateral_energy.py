@@ -7,8 +7,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from ..arithmetic import Number, approximate, plain_floats
+from ..arithmetic import Number, approximate
 from ..energy import NEIGHBOURS, NEXT, OWN, Couplings, best_share, float_count, row_bound
+from ..formula import plain_floats
 from ..setting import Setting
 from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier
 from .networked_exp_decay import CONVEX

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
-from ..arithmetic import Number, formula, sqrt
+from ..arithmetic import Number, sqrt
 from ..decay import demko, gamma_S
+from ..formula import formula
 from ..setting import Setting
 from ..theorem import Bound, Hypothesis, Tier, at_least_zero, margin_of
 

@@ -7,13 +7,13 @@ from typing import Any, ClassVar
 
 from ..arithmetic import Number, power
 from ..decay import gamma_T
-from ..lower import temporal_excess
+from ..lower import final_excess, temporal_excess
 from ..setting import Setting
 from ..theorem import Bound, Hypothesis, Kind, Tier
 from .bottleneck import CLASS
 
 
-class Temporal(Bound):
+class LongRun(Bound):
     """``CR >= 1 + gamma_T^{2k}/(sqrt(1+2a) - 1)``.
 
     The value of the best policy for independent targets over a long horizon; see
@@ -23,16 +23,20 @@ class Temporal(Bound):
     label = "nearsight:temporal-lower-bound"
     tier: ClassVar[Tier] = "sharp"
     kind: ClassVar[Kind] = "lower"
-    title = "lower bound in k, one agent"
+    title = "lower bound in k, one agent, independent targets"
     conditional = ("cr", "cr_minus_one")
 
     def values(self, s: Setting) -> dict[str, Number]:
         """Return the rate and, for a given k, the bound."""
         values: dict[str, Number] = {"lambda_T": power(gamma_T(s.a_T), 2)}
         if s.k is not None:
-            excess = temporal_excess(s.a_T, s.k)
+            excess = self.excess(s)
             values |= {"cr": 1 + excess, "cr_minus_one": excess}
         return values
+
+    def excess(self, s: Setting) -> Number:
+        """Return the bound on ``CR - 1``."""
+        return temporal_excess(s.a_T, s.k)
 
     def hypotheses(self, s: Setting, values: Mapping[str, Any]) -> tuple[Hypothesis, ...]:
         """Return the class the supremum runs over."""
@@ -43,4 +47,18 @@ class Temporal(Bound):
         return {} if s.k is not None else dict.fromkeys(self.conditional, "needs a horizon k")
 
 
-BOUNDS: tuple[Bound, ...] = (Temporal(),)
+class LastTarget(LongRun):
+    """Two to four times larger: only the last target is random.
+
+    See `bounds.lower.final_excess`.
+    """
+
+    variant = "last target"
+    title = "lower bound in k, one agent, one random target"
+
+    def excess(self, s: Setting) -> Number:
+        """Return the bound on ``CR - 1``."""
+        return final_excess(s.a_T, s.k)
+
+
+BOUNDS: tuple[Bound, ...] = (LongRun(), LastTarget())

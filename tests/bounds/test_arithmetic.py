@@ -50,6 +50,10 @@ FORMULAS = {
         lambda a, x: (global_bound.accumulation_sharp(a),),
         textbook.digits(lambda a, x: (1 + textbook.s(a, 1) / (1 - textbook.gamma_T(a)),)),
     ),
+    "final": (
+        lambda a, x: (lower.final_excess(a, 7),),
+        lambda a, x: (textbook.final(a, 7),),
+    ),
     "temporal": (
         lambda a, x: (lower.temporal_excess(a, 7),),
         lambda a, x: (textbook.temporal(a, 7),),

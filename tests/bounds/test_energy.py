@@ -4,8 +4,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 
-from nearsight.bounds.arithmetic import plain_floats
 from nearsight.bounds.energy import NEIGHBOURS, NEXT, OWN, SHARES, Couplings, best_share, row_bound
+from nearsight.bounds.formula import plain_floats
 from nearsight.bounds.theorems.lateral_energy import LateralEnergy
 
 from . import textbook

@@ -9,7 +9,12 @@ from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from nearsight.bounds import Parameters, Setting, bounds_for
-from nearsight.bounds.lower import best_excess, spatial_excess, temporal_excess
+from nearsight.bounds.lower import (
+    best_excess,
+    final_excess,
+    spatial_excess,
+    temporal_excess,
+)
 from nearsight.graphs import parse_growth
 
 FAMILIES = ["line", "grid2", "ring-of-blocks:2", "ring-of-blocks:3"]
@@ -59,6 +64,23 @@ def test_temporal_bound_is_what_the_best_policy_pays(a, k):
     off = [abs(z / temporal_excess(a, k) - 1) for z in (short / opt_short, long / opt_long)]
     assert off[1] < off[0] < 0.2
     assert off[1] * 110 == pytest.approx(off[0] * 80, rel=0.1)
+
+
+@pytest.mark.parametrize("a", [0.05, 0.6, 4.0])
+@pytest.mark.parametrize("k", [1, 2, 4])
+def test_bound_from_the_last_target_alone(a, k):
+    # only theta_H is random: its column of the best policy, which is blind to it until H - k + 1
+    H = 120
+    M = agent(a, H)
+    source = np.zeros(H)
+    source[-1] = 1
+    optimum = np.linalg.solve(M, source)
+    policy = np.zeros(H)
+    policy[-k:] = np.linalg.solve(M[-k:, -k:], source[-k:])
+    off = policy - optimum
+    ratio = (off @ M @ off) / (1 - optimum[-1])
+    assert ratio == pytest.approx(final_excess(a, k), rel=1e-9)
+    assert 2 * temporal_excess(a, k) < ratio < 4 * temporal_excess(a, k)
 
 
 @pytest.mark.parametrize(("a", "k", "H"), [(0.6, 2, 6), (3.0, 1, 5), (3.0, 3, 7)])
@@ -198,7 +220,7 @@ def test_lower_bound_is_below_the_certificate(family, a, x):
         for bound in bounds_for(label)
         if bound.tier != "stated"
     ]
-    assert len(lower) == 3
+    assert len(lower) == 4
     upper = certified(s)
     assert np.isfinite(upper).any()
     for values in lower:
@@ -235,7 +257,7 @@ def test_augmentation_is_the_least_that_suffices(family, a, x, k, r, unconstrain
     a_S = x / growth(family).max_degree
     (bound,) = (b for b in bounds_for("coro:resource-augmentation") if b.tier == "sharp")
     found = bound.evaluate(setting(family, a, a_S, k, r, 1.5, unconstrained)).values
-    target = max(temporal_excess(a, k), spatial_excess(a_S, growth(family).max_degree // 2, r))
+    target = max(final_excess(a, k), spatial_excess(a_S, growth(family).max_degree // 2, r))
     assert found["excess"] == pytest.approx(target, rel=1e-12)
     kk, rr = found["k_needed"], found["r_needed"]
     total = kk + rr

@@ -140,6 +140,16 @@ def test_local_bounds_are_within_reach(a, x):
     assert 0.1 < joint_share <= GUARD
 
 
+def test_lateral_bound_is_nearly_attained_by_a_weakly_coupled_pair():
+    # Delta = 1: x^2/2 + (a_S/4)(x - y)^2 and two temporal couplings move x by a_S/2 and less
+    a, a_S = 0.01, 0.01
+    s = oracle.sensitivity(oracle.uniform(graph("path:2"), 2, a, a_S), 0, 2, 1)
+    (moved,) = s.size[0, s.part == "lateral"]
+    assert moved == pytest.approx(a_S / 2 / (1 + a + a_S / 2), rel=1e-12)
+    bound = joint.lateral_bound(a, a_S, 1, 0, 1, *joint.best_tilt(a, a_S, 0, 0))
+    assert 0.98 * bound < moved <= bound
+
+
 # -- time slices: sharp ---------------------------------------------------------------------
 
 

@@ -72,7 +72,7 @@ def test_convergence():
 
 
 def test_best_excess_is_the_larger_bound():
-    assert best_excess(1.0, 1e-3, 4, 3, 3) == pytest.approx(float(textbook.temporal(1.0, 3)))
+    assert best_excess(1.0, 1e-3, 4, 3, 3) == pytest.approx(float(textbook.final(1.0, 3)))
     assert best_excess(1e-3, 5.0, 4, 3, 3) == pytest.approx(float(textbook.spatial(5.0, 2, 3)))
-    assert best_excess(1.0, 9.0, 1, 3, 3) == pytest.approx(float(textbook.temporal(1.0, 3)))
+    assert best_excess(1.0, 9.0, 1, 3, 3) == pytest.approx(float(textbook.final(1.0, 3)))
     assert np.all(np.diff(best_excess(1.0, 0.5, 4, np.arange(1, 9), 30)) < 0)

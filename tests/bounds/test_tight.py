@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from nearsight.bounds import Parameters, Setting, bounds_for
-from nearsight.bounds.arithmetic import plain_floats
+from nearsight.bounds.formula import plain_floats
 from nearsight.bounds.tight import choice, one_away, optimise, paper_choice, sums
 
 from . import textbook

@@ -306,6 +306,20 @@ def temporal(a, k):
 
 
 @digits
+def final(a, k):
+    """One random target at the free end of a chain, l = a/2: by Green's functions.
+
+    ``B_HH`` of the half line with a free end, and of the last k steps held at 0 before them;
+    solutions decay like ``gamma**n`` away from the end.
+    """
+    ell, q = a / 2, g(2 * a)
+    # next to the end u_1/u_0 is q on the half line; u_n = q**n - q**(2k - n), 0 at n = k, has less
+    less = q ** (2 * k - 1) * (1 - q**2) / (1 - q ** (2 * k))
+    # (1/w - 1/p)/(1 - 1/w) with w = 1 + l (1 - q), p = w + l less
+    return ell * less / (1 + ell * (1 - q + less)) / (ell * (1 - q))
+
+
+@digits
 def spatial(a_S, d, r):
     """Section 5 on the infinite ring of blocks, by subtracting; DIGITS must suffice.
 
