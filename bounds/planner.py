@@ -10,6 +10,7 @@ import numpy as np
 from ..graphs.errors import InputError
 from .constants import Regrouped, Tight
 from .frontier import Pair, Search, frontier
+from .hypotheses import global_implied, local_implied
 from .paper_promise import PaperPromise
 from .plans import TIERS, Bottleneck, Plan, Prices, TierPlan
 from .promise import Promise
@@ -18,7 +19,6 @@ from .reach import reach
 from .setting import Setting
 from .sharp_promise import SharpPromise
 from .theorem import Tier
-from .theorems.coro_cr_lpc import implied
 from .tight import Choice, choice, optimise
 
 
@@ -89,7 +89,8 @@ def plan_excess(
         promises.update({pair.variant: promise for pair in found.pairs})
         reason = reason or found.reason
     best = _pareto(pairs)
-    doubts = [h.text for h in implied(s) if h.fails] if tier == "stated" else []
+    doubts = [h.text for h in (local_implied(s), global_implied(s)) if h.fails]
+    doubts = doubts if tier == "stated" else []
     if best:
         reason = f"not a guarantee here: fails that {'; '.join(doubts)}" if doubts else ""
     chosen = min(best, key=_size, default=None)

@@ -66,10 +66,6 @@ def above_zero(text: str, margin: Any) -> Hypothesis:
     return Hypothesis(text, bool(holds) if np.ndim(holds) == 0 else holds, margin)
 
 
-ASSUMPTION = Hypothesis("the costs obey Assumption 2.1 with the given mu, l_f, l_T, l_S")
-"""Of every statement; `lpc` problems derive the constants, typed-in ones are believed."""
-
-
 @dataclass(frozen=True)
 class Result:
     """What a theorem says in a setting.

@@ -6,23 +6,11 @@ from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from ..arithmetic import Number, power
-from ..global_bound import (
-    accumulation,
-    accumulation_sharp,
-    global_repaired,
-    global_sharp,
-    global_stated,
-)
+from ..constants import whole_bound
+from ..global_bound import accumulation, accumulation_sharp
+from ..hypotheses import ASSUMPTION, CONVEX, SLATER, global_implied
 from ..setting import Setting
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier, at_least_zero, margin_of
-from .networked_exp_decay import CONVEX, SLATER
-
-
-def global_implied(s: Setting) -> Hypothesis:
-    """Say whether the printed ``C_0`` is at least the sharp ``C_G``, which is all proofs use."""
-    text = "C_0 is at least the sharp C_G (thm:global-exp-decay)"
-    margin = margin_of(s, lambda w: global_stated(w.a_T).C_0 - global_sharp(w.a_T).C_G)
-    return at_least_zero(text, margin, masks=False)
+from ..theorem import Bound, Hypothesis, Tier
 
 
 class Stated(Bound):
@@ -38,7 +26,7 @@ class Stated(Bound):
 
     def values(self, s: Setting) -> dict[str, Number]:
         """Return ``factor``, ``C_0``, ``rho_G``."""
-        whole = global_stated(s.a_T) if self.tier == "stated" else global_repaired(s.a_T)
+        whole = whole_bound(self.tier, s.a_T)
         factor = power(accumulation(whole.C_0, whole.one_minus_rho_G), 2)
         return {"factor": factor, "C_0": whole.C_0, "rho_G": whole.rho_G}
 

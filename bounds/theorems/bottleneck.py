@@ -7,11 +7,10 @@ from typing import Any, ClassVar
 
 from ..arithmetic import Number, power
 from ..decay import gamma_T
+from ..hypotheses import CLASS
 from ..lower import best_excess, block_size, lambda_S_proven, lambda_S_stated, lambda_T_stated
 from ..setting import Setting
 from ..theorem import Bound, Hypothesis, Kind, Tier, at_least_zero, margin_of
-
-CLASS = Hypothesis("the supremum runs over all networks of degree at most Delta, all horizons")
 
 
 class Stated(Bound):

@@ -8,30 +8,18 @@ from typing import Any, ClassVar
 import numpy as np
 
 from ..arithmetic import Number
-from ..global_bound import GlobalBound, global_repaired, global_stated
-from ..local_bound import LocalBound, local_repaired, local_stated
+from ..constants import Regrouped, whole_bound
+from ..global_bound import GlobalBound
+from ..hypotheses import ASSUMPTION, CONVEX, NONNEGATIVE, SLATER, global_implied, local_implied
+from ..local_bound import LocalBound
 from ..ratio import RatioParts, ratio_parts, smoothness
 from ..reach import reach
 from ..setting import Setting
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier, at_least_zero, margin_of
+from ..theorem import Bound, Hypothesis, Tier, at_least_zero
 from ..tight import Choice
-from .alg_perf_bound_err_inject import global_implied
-from .networked_exp_decay import CONVEX, SLATER
 from .networked_exp_decay_tight import choice_values, chosen, conditions
 
 CONDITIONAL = ("cr", "cr_minus_one", "lateral", "top")
-NONNEGATIVE = Hypothesis("all costs are convex, smooth and >= 0 on the whole space")
-
-
-def implied(s: Setting) -> tuple[Hypothesis, ...]:
-    """Say whether the stated constants are at least those that are proved."""
-
-    def advantage(w: Setting) -> Number:
-        proved = local_repaired(w.a_T, w.a_S, w.max_degree)
-        return local_stated(w.a_T, w.a_S, w.max_degree).C_1 - proved.C_1
-
-    text = "C_1 is at least the repaired C_1 (thm:networked-exp-decay)"
-    return (at_least_zero(text, margin_of(s, advantage), masks=False), global_implied(s))
 
 
 def parts(s: Setting, local: LocalBound, whole: GlobalBound) -> RatioParts:
@@ -54,14 +42,13 @@ class Ratio(Bound):
 
     def values(self, s: Setting) -> dict[str, Number]:
         """Return the ratio, its condition and its constants."""
-        whole = global_stated(s.a_T) if self.tier == "stated" else global_repaired(s.a_T)
+        whole = whole_bound(self.tier, s.a_T)
         extra: dict[str, Number] = {}
         if self.tight:
             found = chosen(s, self._excess_of(s))
             local, extra = found.local, choice_values(found)
         else:
-            constants = local_stated if self.tier == "stated" else local_repaired
-            local = constants(s.a_T, s.a_S, s.max_degree)
+            local = Regrouped(self.tier)(s).local
         values = {"C_0": whole.C_0, "C_1": local.C_1, "C_G": whole.C_G, **extra}
         values |= {"rho_T": local.rho_T, "rho_S": local.rho_S, "rho_G": whole.rho_G}
         if s.sized:
@@ -81,7 +68,7 @@ class Ratio(Bound):
             found += conditions(values)
             found += [global_implied(s)] if stated else []
         elif stated:
-            found += implied(s)
+            found += [local_implied(s), global_implied(s)]
         if s.sized:
             slack = values["condition_slack"]
             found.append(at_least_zero("condition <= 1/2 (e2-0)", slack, masks=CONDITIONAL))
@@ -93,7 +80,7 @@ class Ratio(Bound):
             return None
 
         def excess(found: Choice, a_T: float, a_S: float, condition: float) -> Any:
-            whole = global_stated(a_T) if self.tier == "stated" else global_repaired(a_T)
+            whole = whole_bound(self.tier, a_T)
             weight = smoothness(condition, a_T, a_S, s.max_degree)
             size = reach(s.growth, found.local.rho_S, s.r)
             p = ratio_parts(found.local, whole, weight, size, s.k, s.r)

@@ -8,15 +8,13 @@ from typing import Any, ClassVar
 import numpy as np
 
 from ..arithmetic import Number, power, sqrt
-from ..global_bound import global_repaired, global_stated
+from ..constants import whole_bound
+from ..hypotheses import ASSUMPTION, NONNEGATIVE, SLATER, global_implied
 from ..local_bound import local_tight
 from ..ratio import smoothness
 from ..setting import Setting
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier, at_least_zero, margin_of
+from ..theorem import Bound, Hypothesis, Tier, at_least_zero, margin_of
 from ..tight import paper_choice
-from .alg_perf_bound_err_inject import global_implied
-from .coro_cr_lpc import NONNEGATIVE
-from .networked_exp_decay import SLATER
 
 
 class Stated(Bound):
@@ -48,7 +46,7 @@ class Stated(Bound):
         one = 1 + 0 * (s.a_T + s.a_S)
         b_1, b_2 = (b * one for b in paper_choice(degree))
         local = local_tight(s.a_T, s.a_S, s.max_degree, b_1, b_2, 2 * one, 2 * one)
-        whole = global_stated(s.a_T) if self.tier == "stated" else global_repaired(s.a_T)
+        whole = whole_bound(self.tier, s.a_T)
         C_3 = degree / (degree - sqrt(local.rho_S))
         values = {"b_1": b_1, "b_2": b_2, "a": 2 * one, "a_tilde": 2 * one}
         values |= {"rho_T": local.rho_T, "rho_S": local.rho_S, "rho_G": whole.rho_G}

@@ -8,7 +8,9 @@ from typing import Any, ClassVar
 import numpy as np
 
 from ..arithmetic import Number, approximate
+from ..hypotheses import CLASS
 from ..lower import best_excess, block_size
+from ..planner import plan_excess
 from ..resource import (
     converges_up_to,
     ratio_of_blocks,
@@ -17,7 +19,6 @@ from ..resource import (
 )
 from ..setting import Setting
 from ..theorem import Bound, Hypothesis, Tier
-from .bottleneck import CLASS
 
 
 class Stated(Bound):
@@ -55,8 +56,6 @@ class Stated(Bound):
 
     def needed(self, s: Setting) -> dict[str, Any]:
         """Return ``k_needed, r_needed, excess`` for scalar parameters and k*, r*."""
-        from ..planner import plan_excess
-
         if not s.sized or any(np.ndim(v) for v in (s.a_T, s.a_S, s.parameters.l_f, s.k, s.r)):
             return {}
         excess = best_excess(s.a_T, s.a_S, s.max_degree, s.k, s.r)

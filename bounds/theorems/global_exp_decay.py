@@ -10,9 +10,9 @@ import numpy as np
 from ..arithmetic import Number, is_zero, select
 from ..decay import slice_decay
 from ..global_bound import GlobalBound, global_repaired, global_sharp, global_stated
+from ..hypotheses import ASSUMPTION, CONVEX, SLATER
 from ..setting import Setting
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier, at_least_zero, margin_of
-from .networked_exp_decay import CONVEX, SLATER
+from ..theorem import Bound, Hypothesis, Tier, at_least_zero, margin_of
 
 
 def _values(whole: GlobalBound) -> dict[str, Number]:

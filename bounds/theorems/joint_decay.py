@@ -9,10 +9,10 @@ import numpy as np
 
 from ..arithmetic import Number, approximate
 from ..decay import gamma_S, gamma_T
+from ..hypotheses import ASSUMPTION, CONVEX
 from ..joint import best_tilt, lateral_bound, top_bound
 from ..setting import Setting
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier
-from .networked_exp_decay import CONVEX
+from ..theorem import Bound, Hypothesis, Tier
 
 
 class JointDecay(Bound):

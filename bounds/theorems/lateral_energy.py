@@ -10,9 +10,9 @@ import numpy as np
 from ..arithmetic import Number, approximate
 from ..energy import NEIGHBOURS, NEXT, OWN, Couplings, best_share, float_count, row_bound
 from ..formula import plain_floats
+from ..hypotheses import ASSUMPTION, CONVEX
 from ..setting import Setting
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier
-from .networked_exp_decay import CONVEX
+from ..theorem import Bound, Hypothesis, Tier
 
 
 class LateralEnergy(Bound):

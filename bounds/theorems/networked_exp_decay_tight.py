@@ -9,10 +9,10 @@ import numpy as np
 
 from ..arithmetic import Number, approximate
 from ..decay import gamma_S
+from ..hypotheses import ASSUMPTION, SLATER
 from ..setting import Setting
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier, at_least_zero
+from ..theorem import Bound, Hypothesis, Tier, at_least_zero
 from ..tight import Choice, choice, one_away, optimise
-from .networked_exp_decay import SLATER
 
 Objective = Callable[[Choice, float, float, float], Any]
 

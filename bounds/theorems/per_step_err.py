@@ -7,21 +7,12 @@ from typing import Any, ClassVar
 
 from ..arithmetic import Number
 from ..certificate import best_shares, step_error
-from ..global_bound import GlobalBound, global_repaired, global_stated
-from ..local_bound import LocalBound, local_repaired, local_stated
+from ..constants import Regrouped
+from ..hypotheses import ASSUMPTION, CONVEX, SLATER, global_implied, local_implied
 from ..ratio import per_step
 from ..reach import reach
 from ..setting import Setting
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier
-from .coro_cr_lpc import implied
-from .networked_exp_decay import CONVEX, SLATER
-
-
-def constants(tier: str, s: Setting) -> tuple[LocalBound, GlobalBound]:
-    """Return the local and the global bound of a tier."""
-    if tier == "stated":
-        return local_stated(s.a_T, s.a_S, s.max_degree), global_stated(s.a_T)
-    return local_repaired(s.a_T, s.a_S, s.max_degree), global_repaired(s.a_T)
+from ..theorem import Bound, Hypothesis, Tier
 
 
 class Stated(Bound):
@@ -40,13 +31,13 @@ class Stated(Bound):
         """Return the coefficients and ``C_3(r)``."""
         if not s.sized:
             return {}
-        local, whole = constants(self.tier, s)
+        local, whole, _ = Regrouped(self.tier)(s)
         size = reach(s.growth, local.rho_S, s.r)
         return per_step(local, whole, size, s.k, s.r)._asdict() | {"C_3": size.C_3}
 
     def hypotheses(self, s: Setting, values: Mapping[str, Any]) -> tuple[Hypothesis, ...]:
         """Return the paper's, and whether the repaired statement implies this one."""
-        return (ASSUMPTION, SLATER, *implied(s))
+        return (ASSUMPTION, SLATER, local_implied(s), global_implied(s))
 
 
 class Repaired(Stated):

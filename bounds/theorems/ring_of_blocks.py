@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from ..arithmetic import Number
+from ..hypotheses import CLASS
 from ..lower import block_size, lambda_S_proven, spatial_excess
 from ..setting import Setting
 from ..theorem import Bound, Hypothesis, Kind, Tier
-from .bottleneck import CLASS
 
 
 class RingOfBlocks(Bound):

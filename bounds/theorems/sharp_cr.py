@@ -7,10 +7,9 @@ from typing import Any, ClassVar
 
 from ..arithmetic import Number, maximum
 from ..certificate import best_shares, closing, cost_gap, excess_ratio, step_error
+from ..hypotheses import ASSUMPTION, CONVEX, NONNEGATIVE
 from ..setting import Setting
-from ..theorem import ASSUMPTION, Bound, Hypothesis, Tier, above_zero
-from .coro_cr_lpc import NONNEGATIVE
-from .networked_exp_decay import CONVEX
+from ..theorem import Bound, Hypothesis, Tier, above_zero
 
 
 class Variational(Bound):

@@ -7,10 +7,10 @@ from typing import Any, ClassVar
 
 from ..arithmetic import Number, power
 from ..decay import gamma_T
+from ..hypotheses import CLASS
 from ..lower import final_excess, temporal_excess
 from ..setting import Setting
 from ..theorem import Bound, Hypothesis, Kind, Tier
-from .bottleneck import CLASS
 
 
 class LongRun(Bound):
