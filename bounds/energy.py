@@ -84,8 +84,8 @@ def _by_horizon(k: Any, two: Any, three: Any, more: Any) -> Any:
 
 
 def _excess_exponential(u: Number) -> Number:
-    """Return ``e^t - 1`` for ``cosh(t) = 1 + u``: ``u + sqrt(u (2+u))``."""
-    return u + sqrt(u * (2 + u))
+    """Return ``e^t - 1`` for ``cosh(t) = 1 + u``: ``u + sqrt(u (2+u))``, without overflow."""
+    return u + sqrt(u) * sqrt(2 + u)
 
 
 def row_bound(row: Row, c: Couplings, eta: Number, k: Any, r: Any, share: Any) -> RowBound:
@@ -122,7 +122,8 @@ def row_bound(row: Row, c: Couplings, eta: Number, k: Any, r: Any, share: Any) -
     x = max(c.max_degree - 1, 1) * c.a_S if row.neighbour else c.x
     reach = e * (1 + grown_T) + x * (1 + grown_S)  # X of (E2)
     # e x' (cosh(alpha-beta) - 1), by (P-Q)^2/(2PQ) with P = e^alpha, Q = e^beta
-    twist = e * x * power(grown_T - grown_S, 2) / ((1 + grown_T) * (1 + grown_S))
+    apart = grown_T - grown_S
+    twist = (e * (apart / (1 + grown_T))) * (x * (apart / (1 + grown_S)))
     denominator = 4 + 4 * (e + x) - twist
     admitted = denominator > 0
     weight = 4 * reach / select(admitted, denominator, 1 + 0 * denominator)  # N of (E2)

@@ -12,7 +12,7 @@ from ..graphs.errors import InputError
 from .promise import Promise
 
 _CELLS = 256  # pairs evaluated at once
-_FADED = 1e-20  # a top that adds less than this share of the target to CR - 1 is over
+_STRIDE = 1.25  # horizons between two tests whether the bound still depends on them
 
 
 @dataclass(frozen=True)
@@ -66,9 +66,9 @@ def frontier(promise: Promise, excess: float, search: Search | None = None) -> F
 
     Horizons are taken in increasing order; for each the least radius below the last one
     found is looked for. The floors of the promise say where to begin and when no larger
-    horizon can lower the radius; where the bound still depends on k after the top has
-    faded (to ``1e-20`` of the target) the search ends too. Every pair is confirmed in
-    interval arithmetic.
+    horizon can lower the radius; the search also ends once the bound has its limit in k
+    (to ``1e-12``) at all radii that are left. Every pair is confirmed in interval
+    arithmetic.
 
     Parameters
     ----------
@@ -85,6 +85,7 @@ def frontier(promise: Promise, excess: float, search: Search | None = None) -> F
         return Frontier((), f"no horizon up to {search.max_k} is long enough at any radius")
     pairs: list[Pair] = []
     low, high = 1, search.max_r + 1
+    test = max(k, promise.steps)  # when to ask next whether larger horizons are of use
     while k <= search.max_k:
         if search.progress is not None:
             search.progress(f"k = {k}, r < {high}")
@@ -102,8 +103,10 @@ def frontier(promise: Promise, excess: float, search: Search | None = None) -> F
         pairs += found
         high = pairs[-1].r if pairs else high
         k = int(block[-1]) + 1
-        if float(promise.floor_in_k(k)) < _FADED * excess and k > promise.steps:
-            break
+        if k > test and low < high:
+            if promise.settled(k - 1, np.arange(low, high)):
+                break
+            test = int(_STRIDE * k)
     if pairs:
         return Frontier(tuple(pairs))
     return Frontier((), f"no radius up to {search.max_r} is large enough at any horizon")
@@ -111,7 +114,7 @@ def frontier(promise: Promise, excess: float, search: Search | None = None) -> F
 
 def _is_open(promise: Promise, k: int, excess: float) -> Callable[[Any], Any]:
     """Return the test whether a radius may still do at some horizon from k on."""
-    return lambda r: ~(promise.floor_in_r(k, r) > excess)  # an undefined floor rules nothing out
+    return lambda r: promise.floor_in_r(k, r) <= excess
 
 
 def _by_block(promise: Promise, block: Any, low: int, high: int, excess: float) -> list[Pair]:
@@ -131,16 +134,16 @@ def _by_block(promise: Promise, block: Any, low: int, high: int, excess: float) 
 def _first_horizon(promise: Promise, excess: float, max_k: int) -> int | None:
     """Return the least k whose floor does not exceed the target; the floor decreases."""
     low, high = 1, 2
-    while float(promise.floor_in_k(high)) > excess:
+    while not float(promise.floor_in_k(high)) <= excess:  # an undefined floor reaches nothing
         if high >= max_k:
             return None
         low, high = high, min(2 * high, max_k)
     while high - low > 1:
         middle = (low + high) // 2
-        if float(promise.floor_in_k(middle)) > excess:
-            low = middle
-        else:
+        if float(promise.floor_in_k(middle)) <= excess:
             high = middle
+        else:
+            low = middle
     return high
 
 

@@ -12,7 +12,9 @@ ASSUMPTION = Hypothesis("the costs obey Assumption 2.1 with the given mu, l_f, l
 SLATER = Hypothesis("feasible sets: all of R^n, or each with a Slater point for the barrier")
 CONVEX = Hypothesis("feasible sets: closed, convex, one for each agent and step")
 NONNEGATIVE = Hypothesis("all costs are convex, smooth and >= 0 on the whole space")
-CLASS = Hypothesis("the supremum runs over all networks of degree at most Delta, all horizons")
+CLASS = Hypothesis(
+    "over the class of all networks of degree at most Delta and all horizons, not for this network"
+)
 
 
 def local_implied(s: Setting) -> Hypothesis:

@@ -58,6 +58,8 @@ class Parameters:
             return
         for name, value in values.items():
             try:
+                if isinstance(value, str | bytes):
+                    raise TypeError
                 array = np.asarray(value, dtype=np.float64)
             except (TypeError, ValueError) as error:
                 raise InputError(f"{name} = {value!r} is not a number", name) from error

@@ -55,10 +55,15 @@ def plan(
     InputError
         If the target is not a finite number above 1, or the parameters are arrays.
     """
-    if not (np.isfinite(target) and target > 1):
+    if np.ndim(target) or not (np.isfinite(target) and target > 1):
         raise InputError(f"target = {target}: a finite competitive ratio > 1 is needed", "target")
+    wrong = [tier for tier in tiers if tier not in TIERS]
+    if wrong or isinstance(tiers, str):
+        raise InputError(f"tiers = {tiers!r}: a tuple of {', '.join(TIERS)} is needed", "tiers")
     if any(np.ndim(v) for v in (setting.a_T, setting.a_S, setting.parameters.l_f)):
         raise InputError("a plan takes scalar mu, l_f, l_T, l_S; call it once for each set")
+    if not all(np.isfinite(v) for v in (setting.a_T, setting.x, setting.parameters.condition)):
+        raise InputError("l_f/mu, l_T/mu and Delta l_S/mu must be finite floats to plan with")
     prices = prices or Prices()
     excess = _excess(float(target))
     plans = tuple(plan_excess(setting, excess, tier, prices, search) for tier in tiers)
@@ -81,18 +86,18 @@ def plan_excess(
     """Return the plan of one tier for ``CR - 1 <= excess``, which may be tiny."""
     prices = prices or Prices()
     pairs: list[Pair] = []
-    promises: dict[str, Promise] = {}
+    promises: list[Promise] = []
     reason = ""
     for promise in _promises(tier, s, pairs):
         found = frontier(promise, excess, search)
         pairs += found.pairs
-        promises.update({pair.variant: promise for pair in found.pairs})
+        promises.append(promise)
         reason = reason or found.reason
     best = _pareto(pairs)
     doubts = [h.text for h in (local_implied(s), global_implied(s)) if h.fails]
     doubts = doubts if tier == "stated" else []
     if best:
-        reason = f"not a guarantee here: fails that {'; '.join(doubts)}" if doubts else ""
+        reason = f"no guarantee here: it fails that {' and '.join(doubts)}" if doubts else ""
     chosen = min(best, key=_size, default=None)
     return TierPlan(
         tier=tier,
@@ -100,7 +105,7 @@ def plan_excess(
         pair=chosen,
         frontier=best,
         cheapest=min(best, key=lambda p: (prices.of(p), _size(p)), default=None),
-        bottleneck=_bottleneck(promises[chosen.variant], chosen) if chosen else None,
+        bottleneck=_bottleneck(promises, chosen) if chosen else None,
         work=tuple((p.k - 1) * s.growth.ball(p.r - 1) for p in best),
         reason=reason,
     )
@@ -119,9 +124,10 @@ def _pareto(pairs: list[Pair]) -> tuple[Pair, ...]:
     return tuple(best)
 
 
-def _bottleneck(promise: Promise, p: Pair) -> Bottleneck:
-    longer = float(promise.excess(p.k + 1, p.r))
-    wider = float(promise.excess(p.k, p.r + 1))
+def _bottleneck(promises: list[Promise], p: Pair) -> Bottleneck:
+    """Compare the tier's bound, the least of its promises, one step and one hop further."""
+    longer = min(float(promise.excess(p.k + 1, p.r)) for promise in promises)
+    wider = min(float(promise.excess(p.k, p.r + 1)) for promise in promises)
     if min(longer, wider) >= p.excess:
         return Bottleneck("neither", longer, wider)
     if longer == wider:

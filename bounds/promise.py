@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 Floats = npt.NDArray[np.float64]
+FAR = 10**9  # a horizon at which nothing of the top is left
 
 
 class Promise(ABC):
@@ -36,6 +37,17 @@ class Promise(ABC):
     @abstractmethod
     def floor_in_r(self, k: int, r: Any) -> Floats:
         """Return a number below `excess` at r and every ``k' >= k``, for ``k >= steps``."""
+
+    def settled(self, k: int, r: Any) -> bool:
+        """Whether from horizon k on the bound has its limit at all these radii, to 1e-12.
+
+        What depends on k decays exponentially: it has to be gone at k and at 2 k.
+        """
+        limit = np.asarray(self.excess(FAR, r))
+        values = np.stack([self.excess(k, r), self.excess(2 * k, r)])
+        with np.errstate(invalid="ignore"):
+            gone = (values == limit) | (np.abs(values - limit) <= 1e-12 * limit)
+        return bool(np.all(gone))
 
     @abstractmethod
     def hopeless(self, k: int, r: int, excess: float) -> bool:

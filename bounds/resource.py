@@ -7,9 +7,8 @@ once ``k >= (log l/log u + o(1)) k*``. Logarithms of rates near 1 come from
 
 from __future__ import annotations
 
-import numpy as np
-
 from ..graphs.growth import Growth
+from ..graphs.source import parse_growth
 from .arithmetic import Number, asinh, is_zero, maximum, select, sqrt
 from .decay import log_g
 from .lower import block_size
@@ -56,8 +55,25 @@ def ratio_of_blocks(a_S: Number, max_degree: int) -> Number:
 
 
 def converges_up_to(growth: Growth, rate: float) -> bool:
-    """Whether ``sum h(q) z^q`` converges for ``z < rate`` (tested just below).
+    """Whether ``sum h(q) z^q`` converges for ``z < rate`` (tested just below, in mpmath).
 
     For ``rate = 1``: the network grows subexponentially.
     """
-    return bool(np.isfinite(growth.transform(rate * (1 - 2.0**-40))))
+    from mpmath import mp
+
+    with mp.workprec(120):
+        return bool(mp.isfinite(growth.transform(mp.mpf(rate) * (1 - mp.mpf(2) ** -60))))
+
+
+def contains_ring_of_blocks(growth: Growth) -> bool:
+    """Whether the infinite ring of blocks of ``floor(Delta/2)`` grows no faster.
+
+    ``h`` and ``eta`` are compared up to distance 64; the ring's are constant from 3 on.
+    A finite network contains no infinite ring.
+    """
+    d = block_size(growth.max_degree)
+    if not d or growth.radius is not None:
+        return False
+    ring = parse_growth(f"ring-of-blocks:{d}") if d > 1 else parse_growth("line")
+    distances = range(1, 65)
+    return all(growth.h(q) >= ring.h(q) and growth.eta(q) >= ring.eta(q) for q in distances)

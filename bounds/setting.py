@@ -13,6 +13,9 @@ from .arithmetic import Number, kind_of
 from .energy import Couplings
 from .parameters import Parameters
 
+LARGEST = 1_000_000
+"""Largest horizon and radius that statements are evaluated at."""
+
 
 @dataclass(frozen=True)
 class Setting:
@@ -51,12 +54,15 @@ class Setting:
             if value is None:
                 continue
             array = np.asarray(value)
-            bad = array if array.dtype.kind not in "iu" else array[array < least]
+            whole = array.dtype.kind in "iu"
+            bad = array[(array < least) | (array > LARGEST)] if whole else array
             if bad.size:
+                small = not whole or bad.flat[0] < least
+                accepted = (
+                    f">= {least} (below, LPC has no free variable)" if small else (f"<= {LARGEST}")
+                )
                 raise InputError(
-                    f"{name} = {bad.flat[0]}: the {why} must be an integer >= {least} "
-                    "(below, LPC has no free variable)",
-                    name,
+                    f"{name} = {bad.flat[0]}: the {why} must be an integer {accepted}", name
                 )
         typed = self.b is not None and kind_of(*self.b) == "float"
         if typed and not all(np.isfinite(b) and b > 0 for b in self.b or ()):

@@ -20,11 +20,10 @@ from .certificate import (
 from .energy import NEIGHBOURS, NEXT, OWN, SHARES, Couplings, Row, float_count, row_bound
 from .forms import Form, Gap
 from .formula import plain_floats
-from .promise import Floats, Promise
+from .promise import FAR, Floats, Promise
 from .setting import Setting
 
 _CROWD = 1e200  # a boundary of more members is not planned with: floats would overflow
-_FAR = 10**9  # a horizon at which nothing of the top is left
 
 
 @dataclass(frozen=True)
@@ -80,11 +79,13 @@ class SharpPromise(Promise):
             nbr = Form(*(np.where(far, v, w) for v, w in zip(nbr, direct, strict=True)))
             e = StepError(zero, zero, own, later, nbr)
             if self.variant != "vi":
-                gap = cost_gap(self.variant, c, _FAR, e)
+                gap = cost_gap(self.variant, c, FAR, e)
             else:  # dG E - E^2/2 is below the bound in both of its cases
-                slope = variational_slope(c, _FAR, e)
+                slope = variational_slope(c, FAR, e)
                 gap = Gap.product(slope, own).plus(Gap.product(own, own), -0.5)
             value = np.asarray(excess_ratio(c, gap, e))
+            # a form that is negative somewhere has no root: it rules nothing out
+            value = np.where(np.isnan(value) & np.isfinite(own.D + gap.P_0), 0.0, value)
         return np.where(np.greater(eta, _CROWD), np.inf, value)
 
     def _least(self, row: Row, c: Couplings, eta: Any, k: int, r: Any) -> Form:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal
 
 import numpy as np
 
-from .arithmetic import Number
+from ..graphs.errors import InputError
+from .arithmetic import Number, kind_of
 from .formula import rounded_once
 from .setting import Setting
 
@@ -58,6 +59,16 @@ def at_least_zero(text: str, margin: Any, *, masks: bool | tuple[str, ...] = Tru
     """Return the hypothesis that a margin is ``>= 0``."""
     holds = np.greater_equal(margin, 0)
     return Hypothesis(text, bool(holds) if np.ndim(holds) == 0 else holds, margin, masks)
+
+
+def once(found: Sequence[Hypothesis], then: Hypothesis) -> Hypothesis:
+    """Return a hypothesis that means something only where the others hold."""
+    if not any(h.fails for h in found):
+        return then
+    if all(np.ndim(h.holds) == 0 for h in (*found, then)):
+        return Hypothesis(f"{then.text} (not evaluated: see above)", None, None, then.masks)
+    good = np.logical_and.reduce([np.asarray(h.holds) for h in found if h.holds is not None])
+    return Hypothesis(then.text, good & then.holds, np.where(good, then.margin, np.nan), then.masks)
 
 
 def above_zero(text: str, margin: Any) -> Hypothesis:
@@ -125,11 +136,22 @@ class Bound(ABC):
         return ()
 
     def evaluate(self, s: Setting) -> Result:
-        """Return what the theorem says, in floats, each correctly computed and rounded once."""
+        """Return what the theorem says, in floats, each correctly computed and rounded once.
+
+        Raises
+        ------
+        InputError
+            If the parameters are not floats: `values` serves the other arithmetics.
+        """
+        p = s.parameters
+        if kind_of(p.mu, p.l_f, p.l_T, p.l_S) != "float":
+            raise InputError("evaluate takes floats; for other arithmetics call values(setting)")
         values = {name: v for name, v in self.in_floats(s).items() if v is not None}
+        if "cr" in values:
+            values["cr"] = _outward(values["cr_minus_one"], up=self.kind != "lower")
         hypotheses = self.hypotheses(s, values)
         guarantee = self.sound and not any(h.fails for h in hypotheses)
-        reasons = self.missing(s)
+        reasons = {n: why for n, why in self.missing(s).items() if n not in values}
         for name in self.conditional:
             for h in hypotheses:
                 if values.get(name) is not None and h.fails and h.covers(name):
@@ -158,6 +180,16 @@ class Bound(ABC):
             if s.sized or not self.conditional
             else dict.fromkeys(self.conditional, "needs a horizon k and a radius r")
         )
+
+
+def _outward(excess: Any, *, up: bool) -> Any:
+    """Return ``1 + excess`` rounded up (for an upper bound) or down, never to nearest."""
+    total = 1 + excess
+    with np.errstate(invalid="ignore"):  # infinite and undefined values stay what they are
+        part = total - 1
+        error = (1 - (total - part)) + (excess - part)  # exact [Knuth's two-sum]
+    wrong = error > 0 if up else error < 0
+    return np.where(wrong, np.nextafter(total, np.inf if up else 1.0), total)[()]
 
 
 def _masked(value: Any, holds: Any) -> Any:

@@ -78,7 +78,7 @@ def _reject(
     source: str,
 ) -> None:
     """Raise `InputError` naming the first thing that a simple undirected graph does not have."""
-    hint = "a simple undirected graph is accepted, or cleaning asked for"
+    hint = "a simple undirected graph is accepted, or pass --clean (clean=True)"
     if directed:
         example = f", the first {names[arcs[0][0]]} -> {names[arcs[0][1]]}" if arcs else ""
         raise InputError(f"{source}: directed ({len(arcs)} arcs{example}); {hint}")

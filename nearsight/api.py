@@ -121,7 +121,12 @@ def plan(
     progress : callable, optional
         Called with a short text now and then.
     **arguments
-        As for `setting`, without k and r.
+        As for `setting`: ``mu, l_f, l_T, l_S``, a graph or a growth.
+
+    Returns
+    -------
+    Plan
+        ``plan["sharp"]`` is the plan of a tier: its pair, frontier, work, bottleneck.
 
     Examples
     --------
@@ -139,10 +144,15 @@ def plan(
 
 
 def _network(graph: Graph, seed: int, clean: bool) -> Network:
-    from .graphs import Network, parse_graph
+    from .graphs import InputError, Network, parse_graph
 
     if isinstance(graph, Network):
         return graph
     if isinstance(graph, str | PathLike):
         return parse_graph(graph if isinstance(graph, str) else str(graph), seed, clean)
+    if not hasattr(graph, "edges"):
+        kind = type(graph).__name__
+        raise InputError(
+            f"graph: a {kind}; a file, a family, a networkx graph or a Network is needed"
+        )
     return Network.from_networkx(graph, clean=clean)

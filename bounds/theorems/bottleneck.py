@@ -54,7 +54,8 @@ class Repaired(Stated):
     two bounds (not their sum).
     """
 
-    tier = "repaired"
+    tier: ClassVar[Tier] = "repaired"
+    variant = "over the class"
 
     def values(self, s: Setting) -> dict[str, Number]:
         """Return the rates and, for given k and r, the bound."""

@@ -15,11 +15,16 @@ from ..local_bound import LocalBound
 from ..ratio import RatioParts, ratio_parts, smoothness
 from ..reach import reach
 from ..setting import Setting
-from ..theorem import Bound, Hypothesis, Tier, at_least_zero
+from ..theorem import Bound, Hypothesis, Tier, at_least_zero, once
 from ..tight import Choice
 from .networked_exp_decay_tight import choice_values, chosen, conditions
 
 CONDITIONAL = ("cr", "cr_minus_one", "lateral", "top")
+
+
+def _masking(found: list[Hypothesis]) -> list[Hypothesis]:
+    """Return those without which the constants mean nothing."""
+    return [h for h in found if h.masks is True]
 
 
 def parts(s: Setting, local: LocalBound, whole: GlobalBound) -> RatioParts:
@@ -71,7 +76,8 @@ class Ratio(Bound):
             found += [local_implied(s), global_implied(s)]
         if s.sized:
             slack = values["condition_slack"]
-            found.append(at_least_zero("condition <= 1/2 (e2-0)", slack, masks=CONDITIONAL))
+            closes = at_least_zero("condition <= 1/2 (e2-0)", slack, masks=CONDITIONAL)
+            found.append(once(_masking(found), closes))
         return tuple(found)
 
     def _excess_of(self, s: Setting) -> Any:

@@ -13,7 +13,7 @@ from ..hypotheses import ASSUMPTION, NONNEGATIVE, SLATER, global_implied
 from ..local_bound import local_tight
 from ..ratio import smoothness
 from ..setting import Setting
-from ..theorem import Bound, Hypothesis, Tier, at_least_zero, margin_of
+from ..theorem import Bound, Hypothesis, Tier, at_least_zero, margin_of, once
 from ..tight import paper_choice
 
 
@@ -73,7 +73,7 @@ class Stated(Bound):
         found = [ASSUMPTION, NONNEGATIVE, SLATER]
         found.append(
             at_least_zero(
-                "l_S/mu <= Delta^-7 (margin: 1 - Delta^7 l_S/mu)",
+                "Delta^7 l_S/mu <= 1",
                 margin_of(s, lambda w: 1 - w.a_S * degree**7),
             )
         )
@@ -82,7 +82,8 @@ class Stated(Bound):
             found.append(global_implied(s))
         if s.sized:
             slack = values["condition_slack"]
-            found.append(at_least_zero("condition <= 1/2", slack, masks=("cr", "cr_minus_one")))
+            closes = at_least_zero("condition <= 1/2", slack, masks=("cr", "cr_minus_one"))
+            found.append(once([h for h in found if h.masks is True], closes))
         return tuple(found)
 
 

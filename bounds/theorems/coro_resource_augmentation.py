@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any, ClassVar
 
 import numpy as np
 
 from ..arithmetic import Number, approximate
-from ..hypotheses import CLASS
 from ..lower import best_excess, block_size
 from ..planner import plan_excess
 from ..resource import (
+    contains_ring_of_blocks,
     converges_up_to,
     ratio_of_blocks,
     spatial_ratio_of_printed_rates,
@@ -47,11 +48,12 @@ class Stated(Bound):
 
     def in_floats(self, s: Setting) -> dict[str, Any]:
         """Return the values in plain floats: logarithms lose nothing here."""
-        values = dict(self.values(s))
-        if not np.all(s.a_T):
-            values = {n: _blank(v, s.a_T) if n.startswith("k") else v for n, v in values.items()}
-        if not np.all(s.a_S):
-            values = {n: _blank(v, s.a_S) if n.startswith("r") else v for n, v in values.items()}
+        coupling = {"k": s.a_T, "r": s.a_S}  # by the first letter of a ratio's name
+        values = {
+            name: np.where(np.equal(coupling[name[0]], 0.0), np.nan, value)[()]
+            for name, value in self.values(s).items()
+            if np.any(coupling[name[0]])
+        }
         return values | self.needed(s)
 
     def needed(self, s: Setting) -> dict[str, Any]:
@@ -61,16 +63,17 @@ class Stated(Bound):
         excess = best_excess(s.a_T, s.a_S, s.max_degree, s.k, s.r)
         if excess <= 0:
             return {"excess": excess}
-        pair = plan_excess(s, excess, self.tier).pair
-        found = {"k_needed": pair.k, "r_needed": pair.r} if pair else {}
-        return {"excess": excess, **found}
+        plan = plan_excess(s, excess, self.tier)
+        if plan.pair is None or not plan.guarantee:
+            return {"excess": excess}
+        return {"excess": excess, "k_needed": plan.pair.k, "r_needed": plan.pair.r}
 
     def hypotheses(self, s: Setting, values: Mapping[str, Any]) -> tuple[Hypothesis, ...]:
         """Return the paper's, and whether the sharp statement implies this one."""
-        implied = "implied by the sharp statement: Delta >= 2, h(q) grows subexponentially"
-        holds = converges_up_to(s.growth, 1.0) and block_size(s.max_degree) > 0
+        implied = "implied by the sharp statement: h(q) grows subexponentially"
+        holds = converges_up_to(s.growth, 1.0)
         return (
-            CLASS,
+            replace(_contains(s), masks=False),
             Hypothesis("Delta >= 3", s.max_degree >= 3, s.max_degree - 3, masks=False),
             Hypothesis(implied, holds, masks=False),
         )
@@ -78,16 +81,12 @@ class Stated(Bound):
     def missing(self, s: Setting) -> dict[str, str]:
         """Name what uncoupled or missing k and r leave out."""
         reasons = {}
-        for name, coupling in (("k_ratio", s.a_T), ("r_ratio", s.a_S)):
+        for letter, coupling in (("k", s.a_T), ("r", s.a_S)):
             if not np.any(coupling):
-                reasons[name] = "nothing is coupled: any value will do"
-        if not s.sized:
-            return reasons | dict.fromkeys(("k_needed", "r_needed"), "needs k* and r*")
-        return reasons
-
-
-def _blank(value: Any, coupling: Any) -> Any:
-    return np.where(np.equal(coupling, 0.0), np.nan, value)[()]
+                for name in (f"{letter}_ratio", f"{letter}_ratio_of_rates"):
+                    reasons[name] = "nothing is coupled: any value will do"
+        why = "no pair is guaranteed to reach it in this tier" if s.sized else "needs k* and r*"
+        return reasons | dict.fromkeys(("k_needed", "r_needed"), why)
 
 
 class Repaired(Stated):
@@ -118,7 +117,7 @@ class Repaired(Stated):
 
         holds = np.vectorize(allowed, otypes=[bool])(approximate(s.x))[()]
         grows = Hypothesis("h(q) = O~(rho_S^{-q/4})", holds if np.ndim(holds) else bool(holds))
-        return (CLASS, grows, _has_blocks(s))
+        return (grows, _contains(s))
 
 
 class Sharp(Repaired):
@@ -137,11 +136,12 @@ class Sharp(Repaired):
     def hypotheses(self, s: Setting, values: Mapping[str, Any]) -> tuple[Hypothesis, ...]:
         """Return the growth that makes all factors polynomial."""
         holds = converges_up_to(s.growth, 1.0)
-        return (CLASS, Hypothesis("h(q) grows subexponentially", holds), _has_blocks(s))
+        return (Hypothesis("h(q) grows subexponentially", holds), _contains(s))
 
 
-def _has_blocks(s: Setting) -> Hypothesis:
-    return Hypothesis("Delta >= 2: a ring of blocks exists", s.max_degree >= 2, s.max_degree - 2)
+def _contains(s: Setting) -> Hypothesis:
+    text = "the class (degree <= Delta, growth <= h) contains the ring of blocks"
+    return Hypothesis(text, contains_ring_of_blocks(s.growth))
 
 
 BOUNDS: tuple[Bound, ...] = (Stated(), Repaired(), Sharp())

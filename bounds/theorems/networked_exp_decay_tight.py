@@ -47,8 +47,8 @@ def conditions(found: Mapping[str, Any]) -> tuple[Hypothesis, ...]:
     finite = np.isfinite(found["a"]) & np.isfinite(found["a_tilde"])
     return (
         Hypothesis("a and a_tilde are finite", finite[()] if finite.ndim else bool(finite)),
-        at_least_zero("mu >= 8 a_tilde l_T (margin over mu)", found["margin_T"]),
-        at_least_zero("mu >= Delta l_S (b_1 + b_2)/4 (margin over mu)", found["margin_S"]),
+        at_least_zero("8 a_tilde l_T/mu <= 1", found["margin_T"]),
+        at_least_zero("Delta l_S (b_1 + b_2)/(4 mu) <= 1", found["margin_S"]),
     )
 
 

@@ -21,6 +21,7 @@ class RingOfBlocks(Bound):
     label = "nearsight:ring-of-blocks"
     tier: ClassVar[Tier] = "sharp"
     kind: ClassVar[Kind] = "lower"
+    variant = "over the class"
     title = "lower bound in r, ring of blocks"
     conditional = ("cr", "cr_minus_one")
 

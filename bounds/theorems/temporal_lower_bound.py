@@ -23,6 +23,7 @@ class LongRun(Bound):
     label = "nearsight:temporal-lower-bound"
     tier: ClassVar[Tier] = "sharp"
     kind: ClassVar[Kind] = "lower"
+    variant = "over the class"
     title = "lower bound in k, one agent, independent targets"
     conditional = ("cr", "cr_minus_one")
 
@@ -53,7 +54,7 @@ class LastTarget(LongRun):
     See `bounds.lower.final_excess`.
     """
 
-    variant = "last target"
+    variant = "over the class, last target"
     title = "lower bound in k, one agent, one random target"
 
     def excess(self, s: Setting) -> Number:

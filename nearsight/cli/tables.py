@@ -10,6 +10,8 @@ from rich import box
 from rich.console import Console
 from rich.table import Table
 
+from ..bounds import Prices
+
 if TYPE_CHECKING:
     from ..bounds import Plan, Result, TierPlan
 
@@ -18,8 +20,7 @@ _STYLE = {"stated": "yellow", "repaired": "cyan", "sharp": "green"}
 
 def _console() -> Console:
     console = Console(highlight=False)
-    if not console.is_terminal:
-        console.width = max(console.width, 100)
+    console.width = max(console.width, 100)  # a terminal may fold a line, but no number is lost
     return console
 
 
@@ -52,19 +53,20 @@ def print_plan(plan: Plan, frontier: bool) -> None:
     """Print one row a tier, then why a row is empty or no guarantee, then the frontier."""
     console = _console()
     console.print(f"target: competitive ratio <= {plan.target:.12g}")
-    table = _table("tier", "k", "r", "CR - 1", "work", "guarantee", "bottleneck", "one more")
+    table = _table("tier", "k", "r", "CR - 1", "work", "guarantee", "bottleneck", "with one more")
     rows = [_plan_row(plan, t) for t in plan.tiers]
     for t, row in zip(plan.tiers, rows, strict=True):
         table.add_row(*row, style=_STYLE[t.tier])
     _show(console, table)
     if any("*" in row[2] for row in rows):
-        console.print("* every agent decides for the whole network")
+        console.print("* every agent decides for all it is connected to")
     for t in plan.tiers:
         if t.reason:
             console.print(f"{t.tier}: {t.reason}", soft_wrap=True)
-        if t.cheapest and t.cheapest != t.pair:
+        if t.cheapest and plan.prices != Prices():
             price = number(plan.prices.of(t.cheapest))
-            console.print(f"{t.tier}: cheapest k = {t.cheapest.k}, r = {t.cheapest.r} at {price}")
+            cheapest = f"k = {t.cheapest.k}, r = {t.cheapest.r}"
+            console.print(f"{t.tier}: cheapest at these prices {cheapest}, for {price}")
     for t in plan.tiers if frontier else ():
         _print_frontier(console, t)
 
@@ -75,7 +77,7 @@ def _plan_row(plan: Plan, t: TierPlan) -> tuple[str, ...]:
     work = t.work[t.frontier.index(t.pair)]
     b = t.bottleneck
     growth = plan.setting.growth
-    everyone = growth.ball(t.pair.r - 1) == growth.vertices
+    everyone = growth.vertices is not None and growth.h(t.pair.r) == 0
     r = f"{t.pair.r}*" if everyone else str(t.pair.r)
     size = (str(t.pair.k), r, number(t.pair.excess), str(work))
     after = number(min(b.excess_k, b.excess_r))
@@ -105,11 +107,12 @@ def print_results(results: list[Result], explain: bool) -> None:
 
 
 def _print_result(console: Console, r: Result) -> None:
-    sure = "guarantee" if r.guarantee else "no guarantee"
+    given = any(v is not None for v in r.values.values())
+    sure = ("guarantee" if r.guarantee else "no guarantee") if given else "nothing yet"
     name = f"{r.tier} ({r.variant})" if r.variant else r.tier
     shown = [f"{key} = {number(v)}" for key, v in r.values.items() if v is not None]
     console.print(f"  [{_STYLE[r.tier]}]{name}[/], {sure}: ", end="")
-    console.print(", ".join(shown) or "no value", soft_wrap=True)
+    console.print(", ".join(shown) or "no value here", soft_wrap=True)
     for reason in dict.fromkeys(r.reasons.values()):
         names = ", ".join(key for key, why in r.reasons.items() if why == reason)
         console.print(f"      no {names}: {reason}", soft_wrap=True)

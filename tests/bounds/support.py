@@ -21,6 +21,11 @@ def growth(spec):
     return network_growth(parse_graph(spec))
 
 
+def reference(a):
+    """Theory section 4: ring, l_f = mu, a = x, so l_S = x/2."""
+    return Setting(Parameters(1.0, 1.0, a, a / 2), growth("line"))
+
+
 def ulps(value, exact):
     """How far a float is from an exact number, in units in the last place of the latter."""
     with mp.workdps(60):

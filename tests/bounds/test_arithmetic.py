@@ -14,7 +14,7 @@ from nearsight.bounds.certificate import Shares, best_shares, sharp_excess
 from nearsight.bounds.theorems.banded_inverse import inverse_entry
 from nearsight.bounds.theorems.networked_soco import soco_repaired
 
-from . import textbook
+from . import textbook, textbook_lower, textbook_sharp
 from .support import log_uniform, ratios, ulps
 
 wide_range, small = ratios, log_uniform(-6, 1.5)
@@ -52,15 +52,15 @@ FORMULAS = {
     ),
     "final": (
         lambda a, x: (lower.final_excess(a, 7),),
-        lambda a, x: (textbook.final(a, 7),),
+        lambda a, x: (textbook_lower.final(a, 7),),
     ),
     "temporal": (
         lambda a, x: (lower.temporal_excess(a, 7),),
-        lambda a, x: (textbook.temporal(a, 7),),
+        lambda a, x: (textbook_lower.temporal(a, 7),),
     ),
     "lambda": (
         lambda a, x: (lower.lambda_T_stated(a), lower.lambda_S_stated(x)),
-        lambda a, x: (textbook.lambda_T(a), textbook.lambda_S(x)),
+        lambda a, x: (textbook_lower.lambda_T(a), textbook_lower.lambda_S(x)),
     ),
     "banded inverse": (
         lambda a, x: (inverse_entry(1 + 0 * a, 1 + a, 2, 3),),
@@ -117,7 +117,7 @@ def encloses(ball, exact):
 def test_spatial_lower_bound_in_every_arithmetic(a, x, d, r):
     if not 1e-6 <= x <= 1e8:
         x = 10.0 ** (np.log10(x) / 40)  # the oracle subtracts: 2000 digits allow this
-    exact = textbook.spatial(x, d, r, dps=2000)
+    exact = textbook_lower.spatial(x, d, r, dps=2000)
     assert ulps(lower.spatial_excess(x, d, r), exact) <= 2
     value = lower.spatial_excess(mpmath.iv.mpf(x), d, r)
     with mp.workdps(60):
@@ -128,7 +128,7 @@ def test_spatial_lower_bound_in_every_arithmetic(a, x, d, r):
 @settings(max_examples=15)
 @given(a=small, x=small, p=st.floats(0.2, 1), q=st.floats(0.2, 1), n=st.integers(0, 9))
 def test_joint_decay_in_every_arithmetic(a, x, p, q, n):
-    exact = textbook.least_entry(a, x, n, n + 1, p, q)
+    exact = textbook_sharp.least_entry(a, x, n, n + 1, p, q)
     top = textbook.digits(lambda a, e: a / 2 * e)(a, exact)
     assert ulps(joint.top_bound(a, x, n + 1, n + 1, p, q), top) <= 8
     value = joint.top_bound(*map(mpmath.iv.mpf, (a, x)), n + 1, n + 1, *map(mpmath.iv.mpf, (p, q)))
@@ -144,7 +144,7 @@ def test_joint_decay_in_every_arithmetic(a, x, p, q, n):
 def test_sharp_ratio_in_intervals(kind, a, a_S, Delta, k, r):
     c = energy.Couplings(a, a_S, 2.0, Delta)
     shares, eta = best_shares(kind, c, 3 * r, k, r), 3 * r
-    *_, exact = textbook.sharp_excess(kind, a, a_S, 2.0, Delta, eta, k, r, shares)
+    *_, exact = textbook_sharp.sharp_excess(kind, a, a_S, 2.0, Delta, eta, k, r, shares)
     lifted = energy.Couplings(mpmath.iv.mpf(a), mpmath.iv.mpf(a_S), mpmath.iv.mpf(2), Delta)
     value = sharp_excess(kind, lifted, eta, k, r, shares)
     with mp.workdps(60):
@@ -163,7 +163,7 @@ def test_sharp_ratio_at_rational_points(kind, k, r):
     c = energy.Couplings(a, a_S, sympy.Integer(2), 3)
     value = sharp_excess(kind, c, 4, k, r, shares)
     with mp.workdps(40):
-        *_, exact = textbook.sharp_excess(
+        *_, exact = textbook_sharp.sharp_excess(
             kind, mpf(1) / 3, mpf(1) / 5, mpf(2), 3, 4, k, r, shares, dps=60
         )
         found = mpf(str(sympy.N(value, 40)))

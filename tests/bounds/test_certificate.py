@@ -7,7 +7,7 @@ from nearsight.bounds import Parameters, Setting, bounds_for
 from nearsight.bounds.certificate import Form, Gap, best_shares, cost_gap, step_error
 from nearsight.bounds.energy import Couplings
 
-from . import textbook
+from . import textbook_sharp
 from .support import exact, growth, log_uniform, settings_of, ulps
 
 KINDS = ["vi", "mix", "smooth"]
@@ -21,7 +21,7 @@ def compare(kind, s, limit=64):
     eta = s.growth.eta(s.r)
     floats = Couplings(float(a), float(a_S), float(condition), s.max_degree)
     shares = best_shares(kind, floats, eta, s.k, s.r)
-    text = textbook.sharp_excess(kind, a, a_S, condition, s.max_degree, eta, s.k, s.r, shares)
+    text = textbook_sharp.sharp_excess(kind, a, a_S, condition, s.max_degree, eta, s.k, s.r, shares)
     for name, number in zip(("P_0", "P_1", "P_2", "cr_minus_one"), text, strict=True):
         assert ulps(values[name], number) <= limit, name
     return values, text
@@ -57,7 +57,7 @@ def test_step_error_from_the_text(s):
     shares = best_shares("smooth", c, eta, s.k, s.r)
     (bound,) = (b for b in bounds_for("thm:per-step-err") if b.tier == "sharp")
     values = bound.in_floats(s)
-    _, top, lat, *_ = textbook.step_error(a, a_S, s.max_degree, eta, s.k, s.r, shares)
+    _, top, lat, *_ = textbook_sharp.step_error(a, a_S, s.max_degree, eta, s.k, s.r, shares)
     for name, form in (("top", top), ("lateral", lat)):
         assert ulps(values[f"{name}_D"], form.D) <= 64
         assert ulps(values[f"{name}_y"], form.y) <= 64

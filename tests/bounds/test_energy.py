@@ -8,7 +8,7 @@ from nearsight.bounds.energy import NEIGHBOURS, NEXT, OWN, SHARES, Couplings, be
 from nearsight.bounds.formula import plain_floats
 from nearsight.bounds.theorems.lateral_energy import LateralEnergy
 
-from . import textbook
+from . import textbook_sharp
 from .support import exact, log_uniform, settings_of, ulps
 
 ROWS = {"own": OWN, "next": NEXT, "neighbours": NEIGHBOURS}
@@ -29,7 +29,7 @@ def test_rows_in_floats(name, a, a_S, Delta, k, r, share):
     k, r = max(k, 3 if name == "next" else 2), max(r, 2 if name == "neighbours" else 1)
     with plain_floats():  # the plain evaluation that searches rely on
         found = row_bound(ROWS[name], Couplings(a, a_S, 1.0, Delta), 4.0, k, r, share)
-    text = textbook.row(name, a, a_S, Delta, 4, k, r, share)
+    text = textbook_sharp.row(name, a, a_S, Delta, 4, k, r, share)
     for value, number in zip(found, text, strict=True):
         if mp.isinf(number) or number > 1e100:
             assert value > 1e90
@@ -49,7 +49,7 @@ def test_values_to_the_last_bits(s):
             continue
         with plain_floats():
             share = best_share(row, c, float(s.growth.eta(s.r)), s.k, s.r)
-        text = textbook.row(name, a, a_S, s.max_degree, s.growth.eta(s.r), s.k, s.r, share)
+        text = textbook_sharp.row(name, a, a_S, s.max_degree, s.growth.eta(s.r), s.k, s.r, share)
         assert ulps(values[name], text[0]) <= 64
 
 
@@ -60,7 +60,7 @@ def test_best_share_is_the_best_of_the_grid(name, a, a_S):
     share = best_share(ROWS[name], c, 4.0, 5, 4)
     costs = []
     for i in range(1, SHARES):
-        in_D, _, in_Z = textbook.row(name, a, a_S, 3, 4, 5, 4, i, dps=40)
+        in_D, _, in_Z = textbook_sharp.row(name, a, a_S, 3, 4, 5, 4, i, dps=40)
         costs.append(float(in_D + in_Z))
     assert costs[share - 1] <= min(costs) * (1 + 1e-12)
 

@@ -8,6 +8,7 @@ from nearsight.bounds.frontier import Pair, frontier
 from nearsight.bounds.paper_promise import PaperPromise
 from nearsight.bounds.promise import Promise
 from nearsight.bounds.sharp_promise import SharpPromise
+from nearsight.graphs import parse_growth
 
 from .support import FAMILIES, growth
 
@@ -119,6 +120,9 @@ class Staircase(Promise):
     def hopeless(self, k, r, excess):
         return False
 
+    def settled(self, k, r):
+        return False  # a staircase has no limit that it approaches exponentially
+
     def certified(self, k, r, excess):
         return self.honest or (k + r) % 2 == 0
 
@@ -180,3 +184,22 @@ def test_certified_is_decided_in_intervals():
     assert not promise.certified(4, 3, value * (1 - 1e-12))
     mpmath.iv.prec = 20  # wide intervals decide less, never more
     assert not promise.certified(4, 3, value * (1 - 1e-12))
+
+
+def test_a_bound_that_still_falls_after_the_top_has_faded_is_followed():
+    # what the top does to the sides fades like e^(-alpha j), slower than gamma_T^k
+    s = Setting(Parameters(1.0, 1.0, 3.409518983315859, 37.120913688729246), parse_growth("line"))
+    promise, excess = SharpPromise(s, "vi"), 0.01906581933821519
+    assert np.all(promise.excess(np.arange(2, 37), 30) > excess)
+    (pair,) = frontier(promise, excess, Search(1000, 30)).pairs
+    assert pair.r == 30
+    assert pair.k == 2 + np.argmax(promise.excess(np.arange(2, 100), 30) <= excess)
+
+
+def test_huge_boundaries_are_reached_by_longer_horizons():
+    s = Setting(Parameters(1.0, 1.0, 0.01, 0.01), parse_growth("poly:1000000000000,0", 4))
+    promise = PaperPromise(s, Regrouped("repaired"))
+    best = frontier(promise, 0.01, Search(1000, 200)).pairs
+    grid = promise.excess(np.arange(2, 60)[:, None], np.arange(1, 60))
+    k, r = np.nonzero(grid <= 0.01)
+    assert min(p.k + p.r for p in best) == np.min(k + 2 + r + 1)

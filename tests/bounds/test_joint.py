@@ -4,7 +4,7 @@ import pytest
 from nearsight.bounds import Parameters, Setting, bounds_for
 from nearsight.bounds.joint import best_tilt, entry_bound, slack
 
-from . import textbook
+from . import textbook, textbook_sharp
 from .support import exact, growth, ulps
 
 CASES = [(0.3, 0.2), (5.0, 0.01), (0.01, 40.0), (1e-80, 1e-80), (1e80, 1e80)]
@@ -39,7 +39,7 @@ def test_theorem_at_the_same_rates(l_T, l_S, k, r):
     a, a_S, _ = exact(s)
     x = 4 * l_S
     values = bounds_for("nearsight:joint-decay")[0].in_floats(s)
-    top = textbook.least_entry(a, 4 * a_S, k - 2, 0, *best_tilt(l_T, x, k - 2, 0))
-    side = textbook.least_entry(a, 4 * a_S, 0, r - 1, *best_tilt(l_T, x, 0, r - 1))
+    top = textbook_sharp.least_entry(a, 4 * a_S, k - 2, 0, *best_tilt(l_T, x, k - 2, 0))
+    side = textbook_sharp.least_entry(a, 4 * a_S, 0, r - 1, *best_tilt(l_T, x, 0, r - 1))
     assert ulps(values["top"], textbook.digits(lambda e: a / 2 * e)(top)) <= 8
     assert ulps(values["lateral"], textbook.digits(lambda e: 2 * a_S / 2 * e)(side)) <= 8

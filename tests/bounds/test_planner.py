@@ -1,81 +1,16 @@
+"""A plan is the whole frontier of its tier, and moves with the setting as it must."""
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nearsight.bounds import (
-    Parameters,
-    Prices,
-    Search,
-    Setting,
-    bounds_for,
-    catalogue,
-    plan,
-)
-from nearsight.bounds.frontier import frontier
-from nearsight.bounds.sharp_promise import SharpPromise
-from nearsight.graphs import InputError, parse_growth
+from nearsight.bounds import Parameters, Prices, Search, Setting, catalogue, plan
+from nearsight.graphs import parse_growth
 
 from .support import growth
 
 SPECS = ["line", "grid2", "tree:3", "ring-of-blocks:2", "grid:5x7", "ring:9", "star:6", "path:2"]
-
-
-def reference(a):
-    """Theory section 4: ring, l_f = mu, a = x, so l_S = x/2."""
-    return Setting(Parameters(1.0, 1.0, a, a / 2), growth("line"))
-
-
-def ratio_at(s, label, variant, tier, k, r, unconstrained=False):
-    at = Setting(s.parameters, s.growth, k, r, unconstrained=unconstrained)
-    (bound,) = (b for b in bounds_for(label) if (b.variant, b.tier) == (variant, tier))
-    return bound.evaluate(at)
-
-
-@pytest.mark.parametrize(("a", "k", "r"), [(0.1, 6, 4), (1.0, 24, 19), (5, 81, 63), (20, 220, 161)])
-def test_reference_stated(a, k, r):
-    found = plan(reference(a), 1.01, tiers=("stated",))["stated"]
-    assert (found.pair.k, found.pair.r) == (k, r)
-    value = ratio_at(reference(a), "coro:CR-LPC", "", "stated", k, r).values["cr_minus_one"]
-    assert value == pytest.approx(found.pair.excess, rel=1e-9)
-    assert value <= 0.01
-
-
-@pytest.mark.parametrize(
-    ("a", "k", "r", "excess"),
-    [
-        (0.1, 2, 1, "2.5498e-03"),
-        (1.0, 4, 3, "4.8242e-03"),
-        (5.0, 8, 9, "7.0292e-03"),
-        (20.0, 19, 19, "9.6731e-03"),
-    ],
-)
-def test_reference_constrained(a, k, r, excess):
-    found = plan(reference(a), 1.01, tiers=("sharp",))["sharp"]
-    assert (found.pair.k, found.pair.r, found.pair.variant) == (k, r, "vi")
-    assert found.guarantee
-    result = ratio_at(reference(a), "nearsight:sharp-cr", "vi", "sharp", k, r)
-    assert result.guarantee
-    assert f"{result.values['cr_minus_one']:.4e}" == excess
-    assert f"{found.pair.excess:.4e}" == excess
-
-
-@pytest.mark.parametrize(
-    ("a", "k", "r", "excess"),
-    [
-        (0.1, 2, 1, "2.4947e-03"),
-        (1.0, 4, 3, "3.4717e-03"),
-        (5.0, 8, 8, "6.9775e-03"),
-        (20.0, 18, 18, "9.8566e-03"),
-    ],
-)
-def test_reference_mixed(a, k, r, excess):
-    pairs = frontier(SharpPromise(reference(a), "mix"), 0.01).pairs
-    best = min(pairs, key=lambda p: (p.k + p.r, p.k))
-    assert (best.k, best.r) == (k, r)
-    result = ratio_at(reference(a), "nearsight:sharp-cr", "mix", "sharp", k, r, True)
-    assert result.guarantee
-    assert f"{result.values['cr_minus_one']:.4e}" == excess
 
 
 @pytest.mark.parametrize("tier", ["stated", "repaired", "sharp"])
@@ -178,83 +113,6 @@ def test_without_constraints_a_plan_is_no_worse(spec, logs):
     )
     for p in bound["sharp"].frontier:
         assert any(q.k <= p.k and q.r <= p.r for q in free["sharp"].frontier)
-
-
-def test_limits_of_the_search():
-    s = reference(1.0)
-    assert plan(s, 1.01, search=Search(max_k=3), tiers=("sharp",))["sharp"].pair is None
-    for search in (Search(max_k=3), Search(max_r=2)):
-        found = plan(s, 1.01, search=search, tiers=("sharp",))["sharp"]
-        assert found.frontier == ()
-        assert found.work == ()
-        assert found.reason
-    found = plan(s, 1.01, search=Search(max_k=26), tiers=("stated",))["stated"]
-    assert [(p.k, p.r) for p in found.frontier] == [(24, 19)]
-    found = plan(s, 1.01, search=Search(max_r=18), tiers=("stated",))["stated"]
-    assert [(p.k, p.r) for p in found.frontier] == [(27, 18)]
-
-
-def test_unreachable_on_a_growing_tree():
-    s = Setting(Parameters(1.0, 1.0, 1.0, 100.0), growth("tree:3"))
-    for found in plan(s, 1.01, search=Search(max_k=2000, max_r=200)).tiers:
-        assert found.pair is None
-        assert "radius" in found.reason or "horizon" in found.reason
-
-
-def test_stated_plan_where_the_statement_is_not_proved_is_no_guarantee():
-    s = Setting(Parameters(1.0, 1.0, 1.0, 1e-6), growth("line"))
-    found = plan(s, 1.5)
-    assert found["stated"].pair is not None
-    assert not found["stated"].guarantee
-    assert "not a guarantee" in found["stated"].reason
-    assert found["repaired"].guarantee
-    assert found["sharp"].guarantee
-    assert plan(reference(1.0), 1.5)["stated"].guarantee
-
-
-def test_an_uncoupled_network_needs_the_least():
-    for spec in ("line", "path:1", "tree:3", "star:6"):
-        found = plan(Setting(Parameters(1.0, 1.0, 0.0, 0.0), growth(spec)), 1 + 1e-9)
-        for tier in ("repaired", "sharp"):
-            assert (found[tier].pair.k, found[tier].pair.r) == (2, 1)
-
-
-def test_a_single_agent_needs_no_radius():
-    s = Setting(Parameters(1.0, 1.0, 1.0, 7.0), growth("path:1"))
-    found = plan(s, 1.01)
-    assert found["sharp"].pair.r == found["repaired"].pair.r == 1
-
-
-def test_unknown_tier():
-    with pytest.raises(KeyError, match="stated, repaired, sharp"):
-        plan(reference(0.1), 1.5)["shrap"]
-
-
-@pytest.mark.parametrize("target", [1.0, 0.5, -1.0, np.inf, np.nan])
-def test_bad_target(target):
-    with pytest.raises(InputError, match=r"^target = [^\n]*$"):
-        plan(reference(1.0), target)
-
-
-def test_arrays_are_not_planned():
-    s = Setting(Parameters(1.0, 1.0, np.array([0.1, 1.0]), 0.1), growth("line"))
-    with pytest.raises(InputError, match=r"^[^\n]*scalar[^\n]*$"):
-        plan(s, 1.01)
-
-
-@pytest.mark.parametrize("price", [-1.0, np.inf, np.nan])
-@pytest.mark.parametrize("name", ["k", "r"])
-def test_bad_price(name, price):
-    with pytest.raises(InputError, match=rf"^price of {name} = [^\n]*$"):
-        Prices(**{name: price})
-
-
-def test_prices_move_the_choice():
-    s = reference(1.0)
-    free_radius = plan(s, 1.01, prices=Prices(1.0, 0.0), tiers=("stated",))["stated"].cheapest
-    free_horizon = plan(s, 1.01, prices=Prices(0.0, 1.0), tiers=("stated",))["stated"].cheapest
-    assert (free_radius.k, free_radius.r) == (24, 19)
-    assert (free_horizon.k, free_horizon.r) == (27, 18)
 
 
 @pytest.mark.parametrize("factor", [2.0**-300, 0.25, 2.0**200])

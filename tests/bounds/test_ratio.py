@@ -110,4 +110,4 @@ def test_conditions_of_the_corollary():
     assert at(1 / 16, 2.0**-7).values["cr"] > 1
     assert not at(0.0626, 2.0**-7).guarantee
     assert at(1 / 16, 0.0079).values["cr"] is None
-    assert "Delta^-7" in at(1 / 16, 0.0079).reasons["cr"]
+    assert "Delta^7 l_S/mu <= 1" in at(1 / 16, 0.0079).reasons["cr"]

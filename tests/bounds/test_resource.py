@@ -5,9 +5,10 @@ from mpmath import mp
 
 from nearsight.bounds import Parameters, Setting, bounds_for, plan
 from nearsight.bounds.lower import best_excess
-from nearsight.bounds.resource import converges_up_to
+from nearsight.bounds.resource import contains_ring_of_blocks, converges_up_to
+from nearsight.graphs import parse_growth
 
-from . import textbook
+from . import textbook, textbook_lower
 from .support import exact, growth, ratios, settings_of, ulps
 
 STATED, REPAIRED, SHARP = bounds_for("coro:resource-augmentation")
@@ -21,8 +22,8 @@ def test_ratios_of_the_printed_rates(s):
     values = STATED.evaluate(s).values
     with mp.workdps(500):
         x = s.max_degree * a_S
-        in_time = mp.log(textbook.lambda_T(a)) / mp.log(textbook.rho(2 * a))
-        in_space = mp.log(textbook.lambda_S(x)) / (mp.log(textbook.rho(x)) / 2)
+        in_time = mp.log(textbook_lower.lambda_T(a)) / mp.log(textbook.rho(2 * a))
+        in_space = mp.log(textbook_lower.lambda_S(x)) / (mp.log(textbook.rho(x)) / 2)
     assert ulps(values["k_ratio_of_rates"], in_time) <= 16
     assert ulps(values["r_ratio_of_rates"], in_space) <= 16
     assert (values["k_ratio"], values["r_ratio"]) == (4, 32)
@@ -52,8 +53,13 @@ def test_needed_pair_is_the_plan_for_the_lower_bound(bound):
     result = bound.evaluate(s)
     excess = best_excess(0.4, 0.2, 2, 2, 1)
     assert result.values["excess"] == excess
-    found = plan(s, 1 + excess, tiers=(bound.tier,))[bound.tier].pair
-    assert (result.values["k_needed"], result.values["r_needed"]) == (found.k, found.r)
+    found = plan(s, 1 + excess, tiers=(bound.tier,))[bound.tier]
+    needed = (result.values["k_needed"], result.values["r_needed"])
+    if found.guarantee:
+        assert needed == (found.pair.k, found.pair.r)
+    else:
+        assert needed == (None, None)
+        assert "no pair is guaranteed" in result.reasons["k_needed"]
 
 
 def test_uncoupled_networks_have_no_ratio():
@@ -72,7 +78,26 @@ def test_convergence():
 
 
 def test_best_excess_is_the_larger_bound():
-    assert best_excess(1.0, 1e-3, 4, 3, 3) == pytest.approx(float(textbook.final(1.0, 3)))
-    assert best_excess(1e-3, 5.0, 4, 3, 3) == pytest.approx(float(textbook.spatial(5.0, 2, 3)))
-    assert best_excess(1.0, 9.0, 1, 3, 3) == pytest.approx(float(textbook.final(1.0, 3)))
+    assert best_excess(1.0, 1e-3, 4, 3, 3) == pytest.approx(float(textbook_lower.final(1.0, 3)))
+    assert best_excess(1e-3, 5.0, 4, 3, 3) == pytest.approx(
+        float(textbook_lower.spatial(5.0, 2, 3))
+    )
+    assert best_excess(1.0, 9.0, 1, 3, 3) == pytest.approx(float(textbook_lower.final(1.0, 3)))
     assert np.all(np.diff(best_excess(1.0, 0.5, 4, np.arange(1, 9), 30)) < 0)
+
+
+@pytest.mark.parametrize("spec", ["line", "grid2", "grid3", "ring-of-blocks:3", "tree:3"])
+def test_families_that_grow_at_least_like_their_ring_of_blocks(spec):
+    assert contains_ring_of_blocks(parse_growth(spec))
+
+
+def test_a_class_of_few_neighbours_at_a_distance_holds_no_ring_of_blocks():
+    assert contains_ring_of_blocks(parse_growth("poly:5,1", 4))
+    assert not contains_ring_of_blocks(parse_growth("poly:4,0", 4))  # 5 at distance 2 there
+
+
+@pytest.mark.parametrize("spec", ["ring:9", "star:6"])
+def test_finite_networks_contain_no_infinite_ring(spec):
+    s = Setting(Parameters(1.0, 1.0, 1.0, 0.5), growth(spec))
+    assert not contains_ring_of_blocks(s.growth)
+    assert not any(b.evaluate(s).guarantee for b in bounds_for("coro:resource-augmentation"))

@@ -33,6 +33,7 @@ CASES = {
     f"{PLAN} --bogus": ("--bogus", "", ""),
     f"bound --growth line {COSTS} -k 1 -r 1": ("-k", "1", ">= 2"),
     f"bound --growth line {COSTS} -k 2 -r 0": ("-r", "0", ">= 1"),
+    f"bound --growth line {COSTS} -k 9223372036854775807 -r 1": ("-k", "9223372036854775807", "<="),
     f"bound --growth line {COSTS} -k 2.5 -r 1": ("-k", "2.5", "integer"),
     f"bound --growth line {COSTS} --b 1": ("--b", "1", "two numbers"),
     f"bound --growth line {COSTS} --b 1,0": ("--b", "0", "> 0"),

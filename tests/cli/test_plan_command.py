@@ -103,3 +103,20 @@ def test_one_call_from_python_gives_the_same():
     for p in document["plans"]:
         assert p["frontier"] == [[q.k, q.r] for q in found[p["tier"]].frontier]
         assert p["work"] == list(found[p["tier"]].work)
+
+
+@pytest.mark.parametrize(("l_t", "l_s"), [("1e-300", "0.1"), ("0.1", "1e-160"), ("1e-160", "0")])
+def test_vanishing_couplings_need_the_least(l_t, l_s):
+    costs = ["--mu", "1", "--l-f", "1", "--l-t", l_t, "--l-s", l_s]
+    sharp = plan("--growth", "line", *costs, "--target", "1.01")["plans"][2]
+    assert (sharp["k"], sharp["r"]) == (2, 1)
+
+
+def test_the_star_marks_radii_at_which_nobody_sees_a_boundary():
+    costs = ["--mu", "1", "--l-f", "4", "--l-t", "1", "--l-s", "1"]
+    near = run("--graph", "path:3", *costs, "--target", "2").output.splitlines()
+    sharp = next(line for line in near if line.startswith(" sharp"))
+    assert sharp.split()[2] == "2"  # r = 2: the middle sees all three, an end sees two
+    far = run("--graph", "path:3", *costs, "--target", "1.0001").output
+    assert "3*" in far
+    assert "every agent decides for all it is connected to" in far

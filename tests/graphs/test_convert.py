@@ -39,7 +39,7 @@ def test_rejected_by_name(graph, message):
 
 
 def test_rejection_says_what_would_help():
-    with pytest.raises(InputError, match="a simple undirected graph is accepted, or cleaning"):
+    with pytest.raises(InputError, match="a simple undirected graph is accepted, or pass --clean"):
         Network.from_networkx(nx.Graph([(1, 1)]))
 
 
