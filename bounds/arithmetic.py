@@ -138,6 +138,22 @@ def approximate(x: Number) -> Any:
     return float(x)
 
 
+def upper_end(x: Number) -> float:
+    """Return a float not below the upper end of an mpmath interval."""
+    nearest = float(x.b)
+    return nearest if x.b <= nearest else float(np.nextafter(nearest, np.inf))
+
+
+def one_plus(excess: Any, *, up: bool) -> Any:
+    """Return ``1 + excess`` for floats, rounded up (for an upper bound) or down, not to nearest."""
+    total = 1 + excess
+    with np.errstate(invalid="ignore"):  # infinite and undefined values stay what they are
+        part = total - 1
+        error = (1 - (total - part)) + (excess - part)  # exact [Knuth's two-sum]
+    wrong = error > 0 if up else error < 0
+    return np.where(wrong, np.nextafter(total, np.inf if up else 1.0), total)[()]
+
+
 def is_zero(x: Number) -> Any:
     """Say where a nonnegative number is 0 (False where that is not certain)."""
     match kind_of(x):

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..graphs.errors import InputError
+from .arithmetic import one_plus
 from .promise import Promise
 
 _CELLS = 256  # pairs evaluated at once
@@ -45,12 +46,17 @@ class Search:
 
 @dataclass(frozen=True)
 class Pair:
-    """A pair that reaches the target: ``CR <= 1 + excess`` there."""
+    """A pair that reaches the target: ``CR - 1 <= excess`` there, by interval arithmetic."""
 
     k: int
     r: int
     excess: float
     variant: str = ""
+
+    @property
+    def cr(self) -> float:
+        """The competitive ratio ``1 + excess``, rounded up."""
+        return float(one_plus(self.excess, up=True))
 
 
 @dataclass(frozen=True)
@@ -125,8 +131,9 @@ def _by_block(promise: Promise, block: Any, low: int, high: int, excess: float) 
     pairs: list[Pair] = []
     for i, j in zip(*np.nonzero(values <= excess), strict=True):  # by k, then by r
         k, r = int(block[i]), int(radii[j])
-        if r < high and promise.certified(k, r, excess):
-            pairs.append(Pair(k, r, float(values[i, j]), promise.variant))
+        upper = promise.upper(k, r) if r < high else np.inf
+        if upper <= excess:
+            pairs.append(Pair(k, r, upper, promise.variant))
             high = r
     return pairs
 
@@ -166,8 +173,9 @@ def _first_radius(promise: Promise, k: int, low: int, high: int, excess: float) 
         radii = np.arange(low, min(low + size, high))
         values = np.broadcast_to(promise.excess(k, radii), radii.shape)
         for i in np.flatnonzero(values <= excess):
-            if promise.certified(k, int(radii[i]), excess):
-                return Pair(k, int(radii[i]), float(values[i]), promise.variant)
+            upper = promise.upper(k, int(radii[i]))
+            if upper <= excess:
+                return Pair(k, int(radii[i]), upper, promise.variant)
         low, size = low + size, min(2 * size, 256)
         if promise.hopeless(k, int(radii[-1]), excess):
             return None

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .arithmetic import Number
+from .arithmetic import Number, upper_end
 from .constants import Constants, Source
 from .formula import plain_floats
 from .promise import Floats, Promise
@@ -82,7 +82,7 @@ class PaperPromise(Promise):
             table.append((before + self.setting.growth.h(q) * last, last * rho_S))
         return table[r][0]
 
-    def certified(self, k: int, r: int, excess: float) -> bool:
+    def upper(self, k: int, r: int) -> float:
         """Evaluate (e1), (e2-0) and the conditions of the local bound in intervals."""
         s = self.setting.converted("interval")
         found = self.source(s)
@@ -90,4 +90,4 @@ class PaperPromise(Promise):
         p = self._parts(s, found, size, k, r)
         sound = all(bool(m >= 0) for m in found.margins)
         closes = bool(p.condition <= 0.5) and bool(found.local.one_minus_rho_T > 0)
-        return sound and closes and bool(p.lateral + p.top <= excess)
+        return upper_end(p.lateral + p.top) if sound and closes else np.inf

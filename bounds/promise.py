@@ -54,5 +54,12 @@ class Promise(ABC):
         """Say whether at horizon k no radius from r on brings ``CR - 1`` down to ``excess``."""
 
     @abstractmethod
+    def upper(self, k: int, r: int) -> float:
+        """Return a float that ``CR - 1`` at one pair is certain, by intervals, not to exceed.
+
+        Infinite where a condition is not certain to hold.
+        """
+
     def certified(self, k: int, r: int, excess: float) -> bool:
-        """Say, by interval arithmetic, whether ``CR - 1 <= excess`` at one pair."""
+        """Say whether ``CR - 1 <= excess`` is certain at one pair."""
+        return self.upper(k, r) <= excess

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .arithmetic import approximate
+from .arithmetic import approximate, upper_end
 from .certificate import (
     StepError,
     best_shares,
@@ -98,9 +98,9 @@ class SharpPromise(Promise):
         value = float(self.excess(k, r))
         return value > excess and value <= float(self.floor_in_k(k)) * (1 + 1e-12)
 
-    def certified(self, k: int, r: int, excess: float) -> bool:
+    def upper(self, k: int, r: int) -> float:
         """Evaluate the certificate in intervals, at the same shares."""
         eta = self.setting.growth.eta(r)
         shares = best_shares(self.variant, self._couplings, eta, k, r)
         c = self.setting.converted("interval").couplings
-        return bool(sharp_excess(self.variant, c, eta, k, r, shares) <= excess)
+        return upper_end(sharp_excess(self.variant, c, eta, k, r, shares))

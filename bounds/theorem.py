@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 
 from ..graphs.errors import InputError
-from .arithmetic import Number, kind_of
+from .arithmetic import Number, kind_of, one_plus
 from .formula import rounded_once
 from .setting import Setting
 
@@ -148,7 +148,7 @@ class Bound(ABC):
             raise InputError("evaluate takes floats; for other arithmetics call values(setting)")
         values = {name: v for name, v in self.in_floats(s).items() if v is not None}
         if "cr" in values:
-            values["cr"] = _outward(values["cr_minus_one"], up=self.kind != "lower")
+            values["cr"] = one_plus(values["cr_minus_one"], up=self.kind != "lower")
         hypotheses = self.hypotheses(s, values)
         guarantee = self.sound and not any(h.fails for h in hypotheses)
         reasons = {n: why for n, why in self.missing(s).items() if n not in values}
@@ -180,16 +180,6 @@ class Bound(ABC):
             if s.sized or not self.conditional
             else dict.fromkeys(self.conditional, "needs a horizon k and a radius r")
         )
-
-
-def _outward(excess: Any, *, up: bool) -> Any:
-    """Return ``1 + excess`` rounded up (for an upper bound) or down, never to nearest."""
-    total = 1 + excess
-    with np.errstate(invalid="ignore"):  # infinite and undefined values stay what they are
-        part = total - 1
-        error = (1 - (total - part)) + (excess - part)  # exact [Knuth's two-sum]
-    wrong = error > 0 if up else error < 0
-    return np.where(wrong, np.nextafter(total, np.inf if up else 1.0), total)[()]
 
 
 def _masked(value: Any, holds: Any) -> Any:

@@ -66,7 +66,7 @@ def _tier(plan: Plan, t: TierPlan) -> dict[str, Any]:
         "guarantee": t.guarantee,
         "k": pair.k if pair else None,
         "r": pair.r if pair else None,
-        "cr": 1 + pair.excess if pair else None,
+        "cr": pair.cr if pair else None,
         "cr_minus_one": pair.excess if pair else None,
         "variant": pair.variant if pair else None,
         "frontier": [[p.k, p.r] for p in t.frontier],
