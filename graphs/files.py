@@ -139,7 +139,7 @@ def _mtx(path: Path) -> AnyGraph:
     from scipy.io import mmread
     from scipy.sparse import coo_array
 
-    matrix = coo_array(mmread(path))
+    matrix = coo_array(mmread(path, spmatrix=False))
     if matrix.shape[0] != matrix.shape[1]:
         raise ValueError(f"a graph needs a square matrix, not {matrix.shape[0]}x{matrix.shape[1]}")
     entries = Counter(zip((matrix.row + 1).tolist(), (matrix.col + 1).tolist(), strict=True))
