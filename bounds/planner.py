@@ -94,8 +94,8 @@ def plan_excess(
         promises.append(promise)
         reason = reason or found.reason
     best = _pareto(pairs)
-    doubts = [h.text for h in (local_implied(s), global_implied(s)) if h.fails]
-    doubts = doubts if tier == "stated" else []
+    needed = (local_implied(s), global_implied(s)) if tier == "stated" else ()
+    doubts = [h.text for h in needed if h.fails]
     if best:
         reason = f"no guarantee here: it fails that {' and '.join(doubts)}" if doubts else ""
     chosen = min(best, key=_size, default=None)

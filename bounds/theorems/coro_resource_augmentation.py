@@ -86,6 +86,8 @@ class Stated(Bound):
                 for name in (f"{letter}_ratio", f"{letter}_ratio_of_rates"):
                     reasons[name] = "nothing is coupled: any value will do"
         why = "no pair is guaranteed to reach it in this tier" if s.sized else "needs k* and r*"
+        if any(np.ndim(v) for v in (s.a_T, s.a_S, s.parameters.l_f, s.k, s.r)):
+            why = "planned for single parameters, k* and r* only"
         return reasons | dict.fromkeys(("k_needed", "r_needed"), why)
 
 
