@@ -1,0 +1,1 @@
+"""Networked online convex problems, their optimum, and Localized Predictive Control."""

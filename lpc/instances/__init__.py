@@ -1,0 +1,1 @@
+"""Instances: one kind a file."""
