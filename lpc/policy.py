@@ -47,6 +47,7 @@ class Policy:
         self._data = Data(self._blocks.linear, theta)
         self._cohorts = list(cohorts(problem, r, cohort_size(k, problem.n)))
         self._full: sparse.csr_array | None = None
+        self.error = np.zeros(problem.N)  # a direct solution: rounding only
 
     def step(self, t: int, before: Floats) -> Floats:
         """Return the actions of all agents at step t, shape (N, n), after the actions `before`."""

@@ -29,6 +29,10 @@ class Pairs:
         """Return w of every cost, shape (m, 2 n), from the values of all actions."""
         return values[self.ends].reshape(len(self.t), -1)
 
+    def later(self, steps: int) -> Pairs:
+        """Return the same costs some steps later."""
+        return Pairs(self.cost, self.t + steps, self.i, self.ends)
+
 
 @dataclass(frozen=True, eq=False)
 class Terms:
@@ -82,6 +86,19 @@ class Terms:
             Pairs(problem.temporal, temporal_t, temporal_v, np.stack(where[:2], axis=1)),
             Pairs(problem.spatial, t[row], edge, np.stack(where[2:], axis=1)),
         )
+
+    def later(self, steps: int) -> Terms:
+        """Return the same terms some steps later; no term may meet the horizon in either place."""
+        shift = np.array([0, steps, 0])
+        found = Terms(
+            self.problem,
+            self.free + shift,
+            self.fixed + shift,
+            self.temporal.later(steps),
+            self.spatial.later(steps),
+        )
+        found.__dict__["_gather"] = self._gather
+        return found
 
     @cached_property
     def _gather(self) -> sparse.csr_array:

@@ -1,0 +1,195 @@
+"""LPC from the first step to the last, beside the clairvoyant optimum."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from ..graphs import InputError
+from .arrays import Floats
+from .checkpoint import Checkpoint
+from .controller import Controller
+from .excess import excess
+from .offline import Optimum, optimum
+from .problem import Problem
+
+Progress = Callable[[str, int, int], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Simulation:
+    """What LPC played, what it cost, and how far from the optimum that is.
+
+    Parameters
+    ----------
+    problem : Problem
+    k, r : int
+        Prediction horizon and communication radius.
+    x : ndarray, shape (H, N, n)
+        The actions of steps 1..H.
+    optimum : Optimum
+        The clairvoyant optimum with its certificate.
+    costs : dict
+        ``"node"``, ``"temporal"``, ``"spatial"``, each of shape (H,).
+    excess : float
+        ``cost(x) - optimum.cost``, accurate also where the two are nearly equal.
+    action_error : float
+        The largest error of an action that the local solvers admit, up to rounding.
+    method : str
+        How the local problems were solved.
+    seconds : dict
+        Wall-clock time of ``"lpc"`` and ``"optimum"``; steps read from a checkpoint take none.
+    """
+
+    problem: Problem
+    k: int
+    r: int
+    x: Floats
+    optimum: Optimum
+    costs: dict[str, Floats]
+    excess: float
+    action_error: float
+    method: str
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def cost(self) -> float:
+        """The total cost of the actions."""
+        return float(sum(part.sum() for part in self.costs.values()))
+
+    @property
+    def ratio(self) -> float:
+        """``cost(LPC) / cost(OPT)``: 1 if both are 0, infinite if only the optimum is."""
+        return 1.0 + self.ratio_minus_one
+
+    @property
+    def ratio_minus_one(self) -> float:
+        """``cost(LPC) / cost(OPT) - 1``, without cancellation."""
+        return _over(self.excess, self.optimum.cost)
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """Where ``cost(LPC)/cost(OPT) - 1`` of these actions lies, up to rounding.
+
+        The optimum found is at most ``gap`` above the true one.
+        """
+        gap, best = self.optimum.gap, self.optimum.cost
+        return _over(self.excess, best), _over(self.excess + gap, max(best - gap, 0.0))
+
+    @property
+    def violation(self) -> float:
+        """The largest distance of an action from its feasible set; 0 if there is none."""
+        agents, worst = np.arange(self.problem.N), 0.0
+        for s, actions in enumerate(self.x):
+            t = np.full(self.problem.N, s + 1)
+            found = self.problem.feasible.violation(t, agents, actions)
+            worst = max(worst, float(found.max(initial=0.0)))
+        return worst
+
+
+def simulate(
+    problem: Problem,
+    k: int,
+    r: int,
+    *,
+    method: str = "auto",
+    workers: int = 1,
+    tolerance: float = 1e-9,
+    checkpoint: str | Path | None = None,
+    progress: Progress | None = None,
+) -> Simulation:
+    """Run LPC on a problem and compare it with the clairvoyant optimum.
+
+    Parameters
+    ----------
+    problem : Problem
+    k : int
+        Prediction horizon, at least 1.
+    r : int
+        Communication radius, at least 0.
+    method, workers, tolerance
+        See `Controller`.
+    checkpoint : path, optional
+        A file that takes every completed step; if it is there already, the simulation goes on
+        after the last step in it, with the same result as without interruption.
+    progress : callable, optional
+        Called as ``progress(what, done, total)``.
+
+    Raises
+    ------
+    InputError
+        If an argument cannot be used, or the checkpoint is of another simulation.
+
+    Examples
+    --------
+    >>> import nearsight as ns
+    >>> from nearsight.lpc import instance, simulate
+    >>> network = ns.parse_graph("ring:13")
+    >>> ring = instance(network, 12, ns.Parameters(1, 1, 1, 0.5), seed=1)
+    >>> simulate(ring, k=3, r=2).ratio < 1.001
+    True
+    """
+    controller = Controller(problem, k, r, method, workers, tolerance)
+    start = time.perf_counter()
+    x, error = _play(controller, checkpoint, progress)
+    middle = time.perf_counter()
+    best = optimum(problem, progress=_offline(progress))
+    return Simulation(
+        problem,
+        k,
+        r,
+        x,
+        best,
+        problem.costs(x),
+        excess(problem, x, best.x),
+        error,
+        controller.method,
+        {"lpc": middle - start, "optimum": time.perf_counter() - middle},
+    )
+
+
+def _play(
+    controller: Controller, checkpoint: str | Path | None, progress: Progress | None
+) -> tuple[Floats, float]:
+    """Return the actions, and the largest of the errors that the solvers admit."""
+    problem = controller.problem
+    x = np.empty((problem.H, problem.N, problem.n))
+    kept = None if checkpoint is None else Checkpoint(Path(checkpoint), controller)
+    first, worst = 0, 0.0
+    if kept is not None:
+        first = len(kept.done)
+        x[:first] = kept.done
+        worst = float(kept.errors.max(initial=0.0))
+    try:
+        for s in range(first, problem.H):
+            x[s] = controller.step(s + 1, x[s - 1] if s else problem.x_0)
+            if not np.isfinite(x[s]).all():
+                raise InputError(
+                    f"step {s + 1}: an action is not finite; the costs overflow near the targets"
+                )
+            error = float(np.max(controller.error, initial=0.0))
+            worst = max(worst, error)
+            if kept is not None:
+                kept.add(x[s], error)
+            if progress is not None:
+                progress("step", s + 1, problem.H)
+    finally:
+        if kept is not None:
+            kept.close()
+    return x, worst
+
+
+def _offline(progress: Progress | None) -> Callable[[int, float], None] | None:
+    if progress is None:
+        return None
+    return lambda iteration, _: progress("optimum, iteration", iteration, 0)
+
+
+def _over(excess: float, best: float) -> float:
+    if best > 0:
+        return excess / best
+    return 0.0 if excess <= 0 else float("inf")
