@@ -101,9 +101,9 @@ def _altered(cost: Cost, hidden: Mask, rng: np.random.Generator) -> tuple[Cost, 
         H, count = hidden.shape
         factor = rng.normal(size=(H, count, cost.size, cost.size))
         where = hidden[:, :, None]
-        matrix = np.where(
-            where[..., None], factor @ factor.swapaxes(2, 3), 0.0
-        ) + spread(cost.matrix, H, count)
+        matrix = np.where(where[..., None], factor @ factor.swapaxes(2, 3), 0.0) + spread(
+            cost.matrix, H, count
+        )
         centre = np.where(where, rng.normal(size=(H, count, cost.size)), 0.0)
         centre = np.where(where, centre, spread(cost.centre, H, count))
         return cost, Quadratic(matrix, centre, cost.offset)
@@ -130,13 +130,16 @@ class _Tilted(Cost):
         return at(self.extra, t, i)
 
     def value(self, t: Ints, i: Ints, w: Floats) -> Floats:
-        return self.cost.value(t, i, w) + 0.5 * self._more(t, i) * ((w - 1) ** 2).sum(axis=1)
+        more = 0.5 * self._more(t, i) * ((w - 1) ** 2).sum(axis=1)
+        return np.asarray(self.cost.value(t, i, w) + more)
 
     def gradient(self, t: Ints, i: Ints, w: Floats) -> Floats:
         return self.cost.gradient(t, i, w) + self._more(t, i)[:, None] * (w - 1)
 
     def hessian(self, t: Ints, i: Ints, w: Floats) -> Floats:
-        return self.cost.hessian(t, i, w) + self._more(t, i)[:, None, None] * np.eye(w.shape[1])
+        more = self._more(t, i)[:, None, None] * np.eye(w.shape[1])
+        found: Floats = self.cost.hessian(t, i, w) + more
+        return found
 
     def curvature(self) -> Curvature:
         base = self.cost.curvature()
@@ -183,13 +186,15 @@ class _Shifted(FeasibleSet):
 
     def project(self, t: Ints, v: Ints, y: Floats) -> Floats:
         s = at(self.shift, t, v)
-        return self.sets.project(t, v, y - s) + s
+        found: Floats = self.sets.project(t, v, y - s) + s
+        return found
 
     def constraints(self, t: Ints, v: Ints, y: Floats) -> tuple[Floats, Floats, Floats]:
         return self.sets.constraints(t, v, y - at(self.shift, t, v))
 
     def interior(self, t: Ints, v: Ints) -> Floats:
-        return self.sets.interior(t, v) + at(self.shift, t, v)
+        found: Floats = self.sets.interior(t, v) + at(self.shift, t, v)
+        return found
 
     def check(self, H: int, N: int, n: int) -> None:
         self.sets.check(H, N, n)

@@ -48,7 +48,7 @@ class Blocks:
         around = np.zeros((edge.shape[0], N, n, n))
         full = np.broadcast_to(edge, (edge.shape[0], len(edges), 2, n, 2, n))
         for side in range(2):
-            np.add.at(around, (slice(None), edges[:, side]), full[:, :, side, :, side])
+            _add(around, edges[:, side], full[:, :, side, :, side])
         own = node.matrix + pair[:, :, 0, :, 0] + around
         own = np.broadcast_to(own, (T, N, n, n))
         after = pair[:, :, 1, :, 1]
@@ -109,5 +109,11 @@ def _linear(
     if spatial.linear.any():
         pull = spread(spatial.linear, H, len(edges)).reshape(H, len(edges), 2, n)
         for side in range(2):
-            np.add.at(found, (slice(None), edges[:, side]), pull[:, :, side])
+            _add(found, edges[:, side], pull[:, :, side])
     return found
+
+
+def _add(total: Floats, agents: Ints, parts: Floats) -> None:
+    """Add the parts (T, E, ...) of edges to the totals (T, N, ...) of one of their ends."""
+    for sums, part in zip(total, parts, strict=True):
+        np.add.at(sums, agents, part)

@@ -36,11 +36,9 @@ class Links:
 
     def subset(self, renumber: Ints) -> Links:
         """Return the links of the agents that have a new number ``>= 0``."""
-        kept = renumber[self.a] >= 0
-        a, i, other, edge, flip = (
-            z[kept] for z in (renumber[self.a], self.i, self.other, self.edge, self.flip)
-        )
-        return Links(a, i, other, edge, flip)
+        a = renumber[self.a]
+        kept = a >= 0
+        return Links(a[kept], self.i[kept], self.other[kept], self.edge[kept], self.flip[kept])
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Protocol
+from typing import Protocol, cast
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from .minimisers import node_minimisers
 from .policy import DENSE, Policy
 from .problem import Problem
 from .programs import Programs
+from .solve import Method
 from .workers import Workers
 
 METHODS = ("auto", "policy", "splitting", "direct", "descent", "barrier", "osqp", "casadi")
@@ -24,7 +25,10 @@ METHODS = ("auto", "policy", "splitting", "direct", "descent", "barrier", "osqp"
 class Engine(Protocol):
     """Whatever computes the actions of one step."""
 
-    error: Floats
+    @property
+    def error(self) -> Floats:
+        """Bounds on the errors of the actions of the last step, shape (N,)."""
+        ...
 
     def step(self, t: int, before: Floats) -> Floats:
         """Return the actions of step t, shape (N, n)."""
@@ -110,7 +114,7 @@ class Controller:
             return Policy(*given)
         if self.method == "splitting":
             return _split(*given, self.tolerance)
-        return Locals(*given, self.tolerance, self.method)
+        return Locals(*given, self.tolerance, cast("Method", self.method))
 
     def step(self, t: int, before: Floats) -> Floats:
         """Return the actions of all agents at step t, shape (N, n).
@@ -154,7 +158,7 @@ class Selfish:
 
     def step(self, t: int, before: Floats) -> Floats:
         """Return theta_t."""
-        return self.theta[t - 1].copy()
+        return np.array(self.theta[t - 1])
 
 
 @dataclass(frozen=True, eq=False)
@@ -179,7 +183,7 @@ class Split:
 def _split(
     problem: Problem, k: int, r: int, theta: Floats, workers: Workers, tolerance: float
 ) -> Engine:
-    sizes = np.diff(Balls.of(problem.network, r - 1).start) * (k - 1) * problem.n
+    sizes = np.diff(Balls.of(problem.network, r - 1).start) * min(k - 1, problem.H) * problem.n
     large = np.flatnonzero(sizes > DENSE)
     small = Programs(problem, k, r, theta, workers, tolerance)
     if not len(large):

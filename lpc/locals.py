@@ -7,7 +7,7 @@ import numpy as np
 from .arrays import Floats, Ints
 from .information import Balls
 from .problem import Problem
-from .solve import solve
+from .solve import Method, solve
 from .terms import Terms
 from .workers import Workers
 
@@ -28,7 +28,7 @@ class Locals:
         Who solves the local problems.
     tolerance : float
         The relative error aimed at, see `solve`.
-    method : str
+    method : Method
         The solver, see `solve`.
     agents : ndarray of int, optional
         Only these agents; all if omitted.
@@ -42,14 +42,14 @@ class Locals:
         theta: Floats,
         workers: Workers,
         tolerance: float,
-        method: str = "auto",
+        method: Method = "auto",
         agents: Ints | None = None,
     ) -> None:
         self._problem, self._k, self._theta, self._workers = problem, k, theta, workers
         self._tolerance, self._method = tolerance, method
         self._inner = Balls.of(problem.network, r - 1)
         chosen = np.arange(problem.N) if agents is None else agents
-        sizes = np.diff(self._inner.start)[chosen] * (k - 1)
+        sizes = np.diff(self._inner.start)[chosen] * min(k - 1, problem.H)
         self._parts = np.split(chosen, np.flatnonzero(np.diff(np.cumsum(sizes) // TOGETHER)) + 1)
         self._full: dict[int, Terms] = {}
         self.error = np.zeros(problem.N)
@@ -75,24 +75,16 @@ class Locals:
             (step < t)[:, None], before[agent], self._theta[np.maximum(step, 1) - 1, agent]
         )
         start = self._theta[terms.free[:, 1] - 1, terms.free[:, 2]]
-        found = solve(
-            terms, known, start=start, tolerance=self._tolerance, method=self._method
-        )
-        # the agent itself is the only member of its ball at distance 0
-        own = self._owners(terms)
-        here = (terms.free[:, 1] == t) & (terms.free[:, 2] == own)
+        found = solve(terms, known, start=start, tolerance=self._tolerance, method=self._method)
+        # copies are named after their agents
+        here = (terms.free[:, 1] == t) & (terms.free[:, 2] == terms.free[:, 0])
         return found.x[here], np.broadcast_to(found.error, (copies,))
-
-    def _owners(self, terms: Terms) -> Ints:
-        """Return the agent whose copy every free action is in."""
-        return terms.free[:, 0]
 
     def _terms(self, index: int, t: int, m: int) -> Terms:
         """Return the local problems of one part; those of full windows differ in t only."""
         if t + m <= self._problem.H and index in self._full:
             kept = self._full[index]
             return kept.later(t - int(kept.free[0, 1]))
-        # a copy is named after its agent
         agents = self._parts[index]
         members = [self._inner.ball(int(v)) for v in agents]
         counts = [len(ball) for ball in members]

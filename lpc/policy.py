@@ -45,7 +45,7 @@ class Policy:
         self._blocks = Blocks.of(problem)
         self._labels = Labels(self._blocks)
         self._data = Data(self._blocks.linear, theta)
-        self._cohorts = list(cohorts(problem, r, cohort_size(k, problem.n)))
+        self._cohorts = list(cohorts(problem, r, cohort_size(problem, k)))
         self._full: sparse.csr_array | None = None
         self.error = np.zeros(problem.N)  # a direct solution: rounding only
 
@@ -73,9 +73,10 @@ class Policy:
         return in_order(parts, [c.agents for c in self._cohorts], self._problem.n)
 
 
-def cohort_size(k: int, n: int) -> int:
-    """Return how many members balls may have in a cohort, for matrices of moderate size."""
-    return max(1, int(TOGETHER // (32 * ((k - 1) * n) ** 2)))
+def cohort_size(problem: Problem, k: int) -> int:
+    """Return how many members the balls of a cohort may have, for matrices of moderate size."""
+    numbers = min(k - 1, problem.H) * problem.n  # of one member
+    return max(1, TOGETHER // (32 * numbers**2))
 
 
 def _first(cohort: Cohort, blocks: Blocks, labels: Labels, t: int, m: int) -> sparse.csr_array:

@@ -18,7 +18,8 @@ from .sets import Everywhere, FeasibleSet
 class Problem:
     """Minimise the sum of node, temporal and spatial costs over steps ``t = 1..H``::
 
-        sum_t [ sum_v f_t^v(x_t^v) + sum_{(u,v)} s_t^{uv}(x_t^u, x_t^v) + sum_v c_t^v(x_t^v, x_{t-1}^v) ]
+        sum_t [ sum_v f_t^v(x_t^v) + sum_v c_t^v(x_t^v, x_{t-1}^v)
+                + sum_{(u,v)} s_t^{uv}(x_t^u, x_t^v) ]
 
     with ``x_t^v`` in ``D_t^v``, a set of R^n, from given actions ``x_0``.
 
@@ -106,7 +107,8 @@ class Problem:
         rows = np.repeat(np.arange(self.N), self.network.degrees)
         ends = np.sort(np.stack([rows, self.network.indices.astype(np.int64)]), axis=0)
         keys = self.edges[:, 0] * self.N + self.edges[:, 1]
-        return np.searchsorted(keys, ends[0] * self.N + ends[1]).astype(np.int64)
+        found: Ints = np.searchsorted(keys, ends[0] * self.N + ends[1]).astype(np.int64)
+        return found
 
     @property
     def quadratic(self) -> bool:
@@ -153,9 +155,7 @@ def _start(x_0: ArrayLike | None, N: int, n: int) -> Floats:
     try:
         found = np.broadcast_to(np.asarray(0.0 if x_0 is None else x_0, dtype=float), (N, n)).copy()
     except (TypeError, ValueError) as error:
-        raise InputError(
-            f"x_0: numbers of shape ({N}, {n}) are needed, not {np.shape(x_0)}"
-        ) from error
+        raise InputError(f"x_0: numbers of shape ({N}, {n}) are needed, not {x_0!r:.60}") from error
     bad = np.argwhere(~np.isfinite(found))
     if len(bad):
         raise InputError(f"x_0 of agent {bad[0][0]}: {found[tuple(bad[0])]}; a finite number")

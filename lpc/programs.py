@@ -64,8 +64,11 @@ class Programs:
         self._blocks = Blocks.of(problem)
         self._labels = Labels(self._blocks)
         self._data = Data(self._blocks.linear, theta)
-        every = cohorts(problem, r, cohort_size(k, problem.n))
-        self._cohorts = [c for c in every if c.ball.shape[1] * (k - 1) * problem.n <= DENSE]
+        self._cohorts = [
+            cohort
+            for cohort in cohorts(problem, r, cohort_size(problem, k))
+            if cohort.ball.shape[1] * min(k - 1, problem.H) * problem.n <= DENSE
+        ]
         self._kept: dict[int, Prepared] = {}
         self.error = np.zeros(problem.N)
 
@@ -115,9 +118,9 @@ class Programs:
     def _floor(self, cohort: Cohort, t: int, m: int) -> Floats:
         """Return the least strong convexity of the node costs of every local problem."""
         curvature = self._problem.node.curvature()
-        ball = cohort.ball
+        least, ball = curvature.lower - curvature.error, cohort.ball
         found = np.full(len(ball), np.inf)
         for j in range(m):
-            lower = at(curvature.lower, np.full(ball.size, t + j), ball.ravel()) - curvature.error
+            lower = at(least, np.full(ball.size, t + j), ball.ravel())
             found = np.minimum(found, lower.reshape(ball.shape).min(axis=1))
         return found

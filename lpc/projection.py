@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from .arrays import Floats, Ints, at
 from .sets import Box, FeasibleSet
 
-
 Chosen = Ints | NDArray[np.bool_]
 
 

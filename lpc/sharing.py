@@ -10,7 +10,7 @@ from .cohorts import Cohort
 
 
 class Labels:
-    """Numbers for the blocks of a Hessian: two blocks have one number if and only if they are equal.
+    """Numbers for the blocks of a Hessian: equal ones, and only those, have the same number.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ class Labels:
         return np.concatenate(parts, axis=1)
 
     def distinct(self, cohort: Cohort, t: int, m: int) -> tuple[Ints, Ints]:
-        """Return agents (positions) with different matrices, and for every agent which it equals."""
+        """Return agents (positions) with different matrices, and which of them each equals."""
         rows = np.ascontiguousarray(self.signatures(cohort, t, m))
         if len(rows) == 1:
             return np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.int64)

@@ -31,9 +31,10 @@ class Data:
         """Return the data of the window of steps ``t..t+m`` after the actions `before`."""
         return np.concatenate([before.ravel(), self._rows[t - 1 : t + m].ravel()])
 
-    def column(self, j: Ints, kind: int, v: Ints) -> Ints:
+    def column(self, j: int, kind: int, v: Ints) -> Ints:
         """Return the first column of b (kind 0) or theta (kind 1) of agent v, j steps ahead."""
-        return ((1 + 2 * j + kind) * self.N + v) * self.n
+        found: Ints = ((1 + 2 * j + kind) * self.N + v) * self.n
+        return found
 
 
 def sides(cohort: Cohort, blocks: Blocks, data: Data, t: int, m: int) -> sparse.csr_array:
@@ -59,13 +60,13 @@ def sides(cohort: Cohort, blocks: Blocks, data: Data, t: int, m: int) -> sparse.
         values.append(block)
 
     for j in range(m):
-        add(a, j, i, data.column(np.int64(j), 0, u), unit)
+        add(a, j, i, data.column(j, 0, u), unit)
         links = cohort.rim
-        column = data.column(np.int64(j), 1, links.other)
+        column = data.column(j, 1, links.other)
         add(links.a, j, links.i, column, -links.blocks(blocks.across(t + j)))
     add(a, 0, i, u * n, -blocks.back(t)[u])
     if t + m <= H:
-        top = data.column(np.int64(m), 1, u)
+        top = data.column(m, 1, u)
         add(a, m - 1, i, top, -blocks.back(t + m)[u].swapaxes(1, 2))
     shape = (A * m * b * n, (2 * m + 3) * data.N * n)
     return scatter(np.concatenate(rows), np.concatenate(columns), np.concatenate(values), shape)

@@ -108,9 +108,9 @@ class Terms:
         shape = (len(self.free), len(ends))
         return sparse.csr_array((np.ones(len(mine)), (ends[mine], mine)), shape=shape)
 
-    def value(self, x: Floats, fixed: Floats) -> Floats:
+    def value(self, x: Floats, fixed: Floats) -> float:
         """Return the sum of the terms: x of shape (F, n), the fixed actions of shape (G, n)."""
-        return np.float64(sum(part.sum() for part in self.parts(x, fixed)))
+        return float(sum(part.sum() for part in self.parts(x, fixed)))
 
     def parts(self, x: Floats, fixed: Floats) -> tuple[Floats, Floats, Floats]:
         """Return node, temporal and spatial costs one by one."""
@@ -170,16 +170,16 @@ class Terms:
         """
         node = self.problem.node.curvature()
         t, v = self.free[:, 1], self.free[:, 2]
-        lower = at(node.lower, t, v) - node.error
+        lower = at(node.lower - node.error, t, v)
         ends, size = [], []
         for p in (self.temporal, self.spatial):
             curvature = p.cost.curvature()
-            top = at(curvature.upper, p.t, p.i) + curvature.error
+            top = at(curvature.upper + curvature.error, p.t, p.i)
             ends.append(p.ends.ravel())
             size.append(np.repeat(top, 2))
         where, weight = np.concatenate(ends), np.concatenate(size)
         mine = where < len(self.free)
-        upper = at(node.upper, t, v) + node.error
+        upper = at(node.upper + node.error, t, v)
         upper = upper + np.bincount(where[mine], weight[mine], minlength=len(self.free))
         return lower, upper
 

@@ -1,7 +1,7 @@
 """How nearsighted an agent may be, in time (k) and in space (r).
 
-Constants, bounds and plans of Localized Predictive Control in networked online convex
-optimisation. Every public name is found here: ``nearsight.<name>``.
+Constants, bounds, plans and simulations of Localized Predictive Control in networked online
+convex optimisation. Every public name is found here: ``nearsight.<name>``.
 
 Importing the package loads nothing else: a name is fetched from its module when it is first
 asked for (PEP 562), so that the command line starts at once.
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     # A test compares the two.
     from . import bounds as bounds
     from . import graphs as graphs
+    from . import lpc as lpc
     from .api import bound as bound
     from .api import plan as plan
     from .api import setting as setting
@@ -38,6 +39,18 @@ if TYPE_CHECKING:
     from .graphs import parse_graph as parse_graph
     from .graphs import parse_growth as parse_growth
     from .graphs import read_graph as read_graph
+    from .lpc import Box as Box
+    from .lpc import Controller as Controller
+    from .lpc import Problem as Problem
+    from .lpc import Quadratic as Quadratic
+    from .lpc import Simulation as Simulation
+    from .lpc import audit as audit
+    from .lpc import instance as instance
+    from .lpc import load_problem as load_problem
+    from .lpc import optimum as optimum
+    from .lpc import save_problem as save_problem
+    from .simulating import random_problem as random_problem
+    from .simulating import simulate as simulate
 
     __version__: str
 
@@ -46,6 +59,8 @@ if TYPE_CHECKING:
 _EXPORTS: dict[str, str] = {
     "Bottleneck": ".bounds",
     "Bound": ".bounds",
+    "Box": ".lpc",
+    "Controller": ".lpc",
     "Growth": ".graphs",
     "Hypothesis": ".bounds",
     "InputError": ".graphs",
@@ -55,20 +70,31 @@ _EXPORTS: dict[str, str] = {
     "Parameters": ".bounds",
     "Plan": ".bounds",
     "Prices": ".bounds",
+    "Problem": ".lpc",
+    "Quadratic": ".lpc",
     "Result": ".bounds",
     "Search": ".bounds",
     "Setting": ".bounds",
+    "Simulation": ".lpc",
     "TierPlan": ".bounds",
+    "audit": ".lpc",
     "bound": ".api",
     "bounds": ".bounds",
     "catalogue": ".bounds",
     "graphs": ".graphs",
+    "instance": ".lpc",
+    "load_problem": ".lpc",
+    "lpc": ".lpc",
     "network_growth": ".graphs",
+    "optimum": ".lpc",
     "parse_graph": ".graphs",
     "parse_growth": ".graphs",
     "plan": ".api",
+    "random_problem": ".simulating",
     "read_graph": ".graphs",
+    "save_problem": ".lpc",
     "setting": ".api",
+    "simulate": ".simulating",
 }
 
 

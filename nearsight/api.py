@@ -65,7 +65,7 @@ def setting(
     parameters = Parameters(mu, l_f, l_T, l_S)
     size: Growth
     if growth is None:
-        size = network_growth(_network(graph, seed, clean), progress=measuring)
+        size = network_growth(network(graph, seed, clean), progress=measuring)
     else:
         size = parse_growth(growth, max_degree) if isinstance(growth, str) else growth
     return Setting(parameters, size, k, r, unconstrained, b)
@@ -143,7 +143,8 @@ def plan(
     return planned(setting(**arguments), target, prices=prices, search=search, tiers=tiers)
 
 
-def _network(graph: Graph, seed: int, clean: bool) -> Network:
+def network(graph: Graph, seed: int = 0, clean: bool = False) -> Network:
+    """Return the network that a file, a family, a networkx graph or a `Network` is."""
     from .graphs import InputError, Network, parse_graph
 
     if isinstance(graph, Network):

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from dataclasses import dataclass
 from typing import Literal
 
-from ..arrays import Floats, Ints
+import numpy as np
 
-Source = Literal["exact", "claimed"]
+from ..arrays import Floats, Ints
+from ..kind import Kind
+
+Source = Literal["exact", "bound", "claimed"]
 
 
 @dataclass(frozen=True)
@@ -19,19 +22,24 @@ class Curvature:
     ----------
     lower, upper : ndarray, shape (T, I)
         Strong convexity and smoothness of every member; ``T`` and ``I`` may be 1.
-    error : float
-        How far rounding may have moved a bound, at most.
-    source : {"exact", "claimed"}
-        Whether they were computed from the function, or are what its author says.
+    error : array_like, shape (T, I) or one that broadcasts to it
+        How far rounding may have moved a bound of a member, at most. A member's bounds must not
+        depend on the other members: a controller that uses them has to be local.
+    source : {"exact", "bound", "claimed"}
+        Whether they are the infimum and the supremum, computed from the function; proven, but
+        perhaps not the best; or what the author of the function says.
     """
 
     lower: Floats
     upper: Floats
-    error: float
+    error: Floats
     source: Source
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "error", np.broadcast_to(self.error, self.lower.shape))
 
-class Cost(ABC):
+
+class Cost(Kind):
     """A family of convex functions in C^2, one for every step ``t = 1..H`` and member i.
 
     The members are agents (node and temporal costs) or edges (spatial costs). A node cost has one
@@ -42,8 +50,6 @@ class Cost(ABC):
     Every method evaluates m points at once: ``t`` and ``i`` have shape (m,), ``w`` has shape
     (m, blocks n). What it returns for a point must depend on nothing but ``t, i, w`` of that point.
     """
-
-    kind: str  # the name of the class in a file
 
     @property
     @abstractmethod

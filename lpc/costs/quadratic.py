@@ -39,9 +39,7 @@ class Quadratic(Cost):
     offset: Floats
     kind = "quadratic"
 
-    def __init__(
-        self, matrix: ArrayLike, centre: ArrayLike = 0.0, offset: ArrayLike = 0.0
-    ) -> None:
+    def __init__(self, matrix: ArrayLike, centre: ArrayLike = 0.0, offset: ArrayLike = 0.0) -> None:
         P = family(matrix, 2, "matrix of a quadratic cost")
         s = P.shape[-1]
         if np.ndim(centre) == 0:
@@ -55,19 +53,19 @@ class Quadratic(Cost):
         object.__setattr__(self, "matrix", _symmetric(P))
         object.__setattr__(self, "centre", c)
         object.__setattr__(self, "offset", family(offset, 0, "offset of a quadratic cost"))
-        object.__setattr__(self, "_curvature", _spectrum(self.matrix))
+        object.__setattr__(self, "_curvature", spectrum(self.matrix, "matrix of a quadratic cost"))
         if self.offset.min(initial=0.0) < 0:
             raise InputError(f"offset = {self.offset.min():g}: costs are nonnegative")
 
     @property
     def size(self) -> int:
         """The length of w."""
-        return self.matrix.shape[-1]
+        return int(self.matrix.shape[-1])
 
     @property
     def steady(self) -> bool:
         """Whether there is one matrix for all steps."""
-        return self.matrix.shape[0] == 1
+        return len(self.matrix) == 1
 
     def value(self, t: Ints, i: Ints, w: Floats) -> Floats:
         """Return the costs, shape (m,)."""
@@ -121,18 +119,34 @@ def _symmetric(P: Floats) -> Floats:
     return P
 
 
-def _spectrum(P: Floats) -> Curvature:
-    """Return the extreme eigenvalues; raise `InputError` on a negative one."""
+def spectrum(P: Floats, what: str, entries: Floats | float = 0.0) -> Curvature:
+    """Return the extreme eigenvalues of symmetric matrices, shape (T, I) each.
+
+    Parameters
+    ----------
+    P : ndarray, shape (T, I, s, s)
+    what : str
+        What the matrices are, for messages.
+    entries : float or ndarray, shape (T, I)
+        By how much an entry may be off.
+
+    Raises
+    ------
+    InputError
+        If an eigenvalue is negative.
+    """
     s = P.shape[-1]
     values = P[..., 0] if s == 1 else np.linalg.eigvalsh(P)
     # LAPACK's symmetric eigenvalues are off by at most a small multiple of eps |P|; s = 1 is exact
-    error = 0.0 if s == 1 else 4 * s * np.finfo(float).eps * np.abs(values).max(initial=0.0)
+    rounding = 0.0 if s == 1 else 4 * s * np.finfo(float).eps
+    error = rounding * np.abs(values).max(axis=-1) + s * entries
     lower, upper = values[..., 0], values[..., -1]
-    bad = lower < -4 * s * np.finfo(float).eps * np.abs(values).max(axis=-1)
+    slack = 4 * s * np.finfo(float).eps * np.abs(values).max(axis=-1) + s * entries
+    bad = lower < -slack
     if bad.any():
         t, i = np.argwhere(bad)[0]
         raise InputError(
-            f"matrix of a quadratic cost at step {t + 1}, agent or edge {i}: not convex, "
+            f"{what} at step {t + 1}, agent or edge {i}: not convex, "
             f"eigenvalue {lower[t, i]:g}; a positive semidefinite matrix is needed"
         )
-    return Curvature(np.maximum(lower, 0.0), np.maximum(upper, 0.0), float(error), "exact")
+    return Curvature(np.maximum(lower, 0.0), np.maximum(upper, 0.0), error, "exact")

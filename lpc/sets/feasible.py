@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 
 from ..arrays import Floats, Ints
+from ..kind import Kind
 
 
-class FeasibleSet(ABC):
+class FeasibleSet(Kind):
     """Closed convex sets ``D_t^v = {y : g_i(y) <= 0}`` of R^n, one for every step and agent.
 
     Every method takes m points at once: ``t`` and ``v`` of shape (m,), ``y`` of shape (m, n).
     """
 
-    kind: str  # the name of the class in a file
     projectable: bool  # whether `project` is there
     everywhere: bool = False  # whether the sets are known to be all of R^n
 

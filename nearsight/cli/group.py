@@ -9,7 +9,13 @@ from typing import Any
 
 import click
 
-_SHARED = {"group", "options", "output", "tables"}  # modules of this folder that are no commands
+_SHARED = {
+    "group",
+    "options",
+    "output",
+    "simulation_tables",
+    "tables",
+}  # modules of this folder that are no commands
 
 
 class Commands(click.Group):

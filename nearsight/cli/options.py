@@ -29,17 +29,37 @@ NETWORK = [
     ),
 ]
 
+FINITE = [NETWORK[0], *NETWORK[3:]]  # without the infinite families
+
+
+def strengths(required: bool) -> list[Any]:
+    """Return the options for the constants of the costs."""
+    return [
+        click.option(
+            "--mu", type=float, required=required, help="Strong convexity of node costs, > 0."
+        ),
+        click.option(
+            "--l-f", "l_f", type=float, required=required, help="Smoothness of node costs, >= mu."
+        ),
+        click.option(
+            "--l-t",
+            "l_T",
+            type=float,
+            required=required,
+            help="Smoothness of temporal costs, >= 0.",
+        ),
+        click.option(
+            "--l-s",
+            "l_S",
+            type=float,
+            required=required,
+            help="Smoothness of spatial costs, >= 0.",
+        ),
+    ]
+
+
 COSTS = [
-    click.option("--mu", type=float, required=True, help="Strong convexity of node costs, > 0."),
-    click.option(
-        "--l-f", "l_f", type=float, required=True, help="Smoothness of node costs, >= mu."
-    ),
-    click.option(
-        "--l-t", "l_T", type=float, required=True, help="Smoothness of temporal costs, >= 0."
-    ),
-    click.option(
-        "--l-s", "l_S", type=float, required=True, help="Smoothness of spatial costs, >= 0."
-    ),
+    *strengths(required=True),
     click.option("--unconstrained", is_flag=True, help="Every feasible set is all of R^n."),
 ]
 
@@ -71,6 +91,8 @@ def input_errors() -> Any:
 
 
 def _option(argument: str) -> str:
+    if argument == "H":
+        return "--horizon"
     return (
         f"-{argument}"
         if len(argument) == 1 and argument != "b"
