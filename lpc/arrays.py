@@ -70,7 +70,7 @@ def fits(array: Floats, H: int, count: int, name: str) -> None:
 def at(array: Floats, t: Ints, i: Ints) -> Floats:
     """Return the values of steps ``t = 1, 2, ...`` and agents or edges i, shape (m, ...)."""
     T, members = array.shape[:2]
-    picked: Floats = array[t - 1 if T > 1 else 0, i if members > 1 else 0]
+    picked: Floats = array[t - 1 if T > 1 else 0, i if members != 1 else 0]
     if T == members == 1:
         return np.broadcast_to(picked, (*np.shape(t), *picked.shape))
     return picked

@@ -73,18 +73,16 @@ class Barrier(Cost):
     def gradient(self, t: Ints, i: Ints, w: Floats) -> Floats:
         """Return ``f' + strength sum_i g_i' / (-g_i)``, within the interior."""
         g, slope, _ = self.feasible.constraints(t, i, w)
-        found: Floats = self.node.gradient(t, i, w)
-        return found - self.strength * np.einsum("mp,mpj->mj", 1 / g, slope)
+        push: Floats = self.strength * np.einsum("mp,mpj->mj", 1 / g, slope)
+        return self.node.gradient(t, i, w) - push
 
     def hessian(self, t: Ints, i: Ints, w: Floats) -> Floats:
         """Return ``f'' + strength sum_i [g_i' g_i'^T / g_i^2 + g_i'' / (-g_i)]``."""
         g, slope, bend = self.feasible.constraints(t, i, w)
         steep = slope / g[:, :, None]
-        found = self.node.hessian(t, i, w) + self.strength * (
-            np.einsum("mpj,mpk->mjk", steep, steep) - np.einsum("mp,mpjk->mjk", 1 / g, bend)
-        )
-        whole: Floats = found
-        return whole
+        push: Floats = np.einsum("mpj,mpk->mjk", steep, steep)
+        push -= np.einsum("mp,mpjk->mjk", 1 / g, bend)
+        return self.node.hessian(t, i, w) + self.strength * push
 
     def curvature(self) -> Curvature:
         """Return the lower bounds of f, and infinity above."""

@@ -8,6 +8,7 @@ import numpy as np
 
 from .arrays import Floats, Ints, at
 from .costs import Cost, Quadratic
+from .sets import Box, Everywhere
 from .terms import Pairs, Terms
 
 EPS = float(np.finfo(np.float64).eps)
@@ -70,7 +71,7 @@ class Copies:
 
     def total(self, rows: Floats) -> Floats:
         """Return the sum over each copy, shape (C,), of numbers of shape (F,)."""
-        return np.bincount(self.row, rows, minlength=len(self.label))
+        return np.bincount(self.row, rows, minlength=len(self.label)).astype(np.float64, copy=False)
 
     def least(self, rows: Floats) -> Floats:
         """Return the least number of each copy, shape (C,)."""
@@ -100,16 +101,16 @@ def certify(terms: Terms, fixed: Floats, x: Floats) -> Certificate:
         x = feasible.project(terms.free[:, 1], terms.free[:, 2], aim)
         push = upper[:, None] * (aim - x)
     s = terms.gradient(x, fixed) + push
-    hidden = rounding(terms, fixed, x)
-    if not feasible.everywhere:
-        hidden += 2 * EPS * (norms(push) + upper * norms(x))
-    return _bounds(copies, lower, x, norms(s), hidden)
-
-
-def _bounds(copies: Copies, lower: Floats, x: Floats, s: Floats, hidden: Floats) -> Certificate:
-    square = copies.total((s + hidden) ** 2 / lower)
-    error = np.sqrt(square / copies.least(lower))
-    return Certificate(x, np.sqrt(copies.total(s**2)), error, square / 2)
+    hidden, size = rounding(terms, fixed, x), norms(push)
+    off = np.zeros(len(x))  # how far x may be from the exact projection
+    if not isinstance(feasible, Box | Everywhere):
+        off = 4 * EPS * (norms(x) + size / upper)
+        hidden += 2 * upper * off
+    hidden += 2 * EPS * size
+    square = copies.total((norms(s) + hidden) ** 2 / lower)
+    error = np.sqrt(square / copies.least(lower)) + np.sqrt(copies.total(off**2))
+    gap = square / 2 + copies.total(size * off)
+    return Certificate(x, np.sqrt(copies.total(norms(s) ** 2)), error, gap)
 
 
 def rounding(terms: Terms, fixed: Floats, x: Floats) -> Floats:

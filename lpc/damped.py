@@ -15,7 +15,8 @@ def descend(objective: Objective, start: Floats, steps: int = 60) -> Floats:
     """Return points near the minima of m functions, none of them higher than its start.
 
     Each step solves ``(H + d I) p = -g``; d falls after a descent and grows after a failure, so
-    that flat, linear and badly scaled functions are treated as well as curved ones.
+    that flat, linear and badly scaled functions are treated as well as curved ones. Negative
+    eigenvalues of H, which a convex function has not, count as 0.
 
     Parameters
     ----------
@@ -40,14 +41,13 @@ def descend(objective: Objective, start: Floats, steps: int = 60) -> Floats:
             flat = _length(g) / (1 + _length(y))  # for functions without curvature
             scale = np.abs(H).max(axis=(1, 2), initial=0.0) + flat
             shift = np.maximum(damping * scale, np.finfo(float).tiny)
-            matrix = H + shift[:, None, None] * identity
-            usable = np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(g).all(axis=1)
+            usable = np.isfinite(H).all(axis=(1, 2)) & np.isfinite(g).all(axis=1)
             usable &= (scale > 0) & (damping < 1e12)
             if not usable.any():
                 break
-            safe = np.where(usable[:, None, None], matrix, identity)
-            step = np.linalg.solve(safe, np.where(usable[:, None], -g, 0.0)[:, :, None])[:, :, 0]
-            trial = y + step
+            bends, axes = np.linalg.eigh(np.where(usable[:, None, None], H, identity))
+            turned = (g[:, None, :] @ axes)[:, 0] / (np.maximum(bends, 0.0) + shift[:, None])
+            trial = y - (axes @ turned[:, :, None])[:, :, 0]
             F_new, g_new, H_new = objective(trial)
             better = usable & (F_new < F)
             y = np.where(better[:, None], trial, y)

@@ -35,8 +35,6 @@ from __future__ import annotations
 import json
 import os
 import uuid
-import zipfile
-import zlib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -61,14 +59,14 @@ class Loaded(NamedTuple):
 
 
 def save_problem(
-    problem: Problem, path: str | Path, metadata: Mapping[str, Any] | None = None
+    problem: Problem, path: str | os.PathLike[str], metadata: Mapping[str, Any] | None = None
 ) -> None:
     """Write a problem to a file, which is there completely or not at all.
 
     Parameters
     ----------
     problem : Problem
-    path : str or Path
+    path : str or path-like
         Replaced if it exists.
     metadata : dict, optional
         JSON values to keep beside it: where it comes from, say.
@@ -110,7 +108,7 @@ def save_problem(
         raise InputError(f"{path}: cannot be written: {error.strerror}") from error
 
 
-def load_problem(path: str | Path) -> Loaded:
+def load_problem(path: str | os.PathLike[str]) -> Loaded:
     """Read a problem, and the metadata beside it, from a file of `save_problem`.
 
     Returns
@@ -154,16 +152,16 @@ def load_problem(path: str | Path) -> Loaded:
 def _entries(path: Path) -> dict[str, Any]:
     """Return all arrays of an archive; raise `InputError` if it is none."""
     try:
-        with np.load(path, allow_pickle=False) as archive:
-            if not isinstance(archive, np.lib.npyio.NpzFile):
-                raise InputError(f"{path}: not a problem file; an .npz archive is needed")
+        with path.open("rb") as stream:
+            archive = np.load(stream, allow_pickle=False)
+            if isinstance(archive, np.ndarray):
+                raise ValueError("a single array")
             return {name: archive[name] for name in archive.files}
     except FileNotFoundError as error:
         raise InputError(f"{path}: no such file; a file of save_problem is needed") from error
-    except InputError:
-        raise
-    except (OSError, EOFError, ValueError, zipfile.BadZipFile, zlib.error) as error:
-        reason = " ".join(str(error).split())
+    except Exception as error:
+        # zipfile and numpy raise whatever damaged input happens to lead to
+        reason = " ".join(str(error).split()) or type(error).__name__
         raise InputError(f"{path}: not a problem file, or damaged: {reason}") from error
 
 

@@ -47,7 +47,7 @@ def follow(
         A guess; moved to an interior point where it is none.
     tolerance : float
         A copy stops when its duality gap is ``tolerance / 1000`` times
-        ``m |x|^2 + |g(start)|^2 / m``, or no step makes progress any more.
+        ``m (|x|^2 + |g(start) / d|^2)``, or no step makes progress any more.
     strength : float
         Where to stop on the path; at its end if 0.
 
@@ -63,8 +63,8 @@ def follow(
     """
     copies = Copies.of(terms)
     state = _State.of(terms, fixed, inner_start(terms.problem.feasible, *_tv(terms), start))
-    C, m = len(copies.label), terms.scale[0]
-    scale = copies.total(norms(terms.gradient(state.x, fixed)) ** 2 / m)
+    C, (m, d) = len(copies.label), terms.scale
+    scale = copies.total(m * (norms(state.gradient) / d) ** 2)
     done, good, taken = np.zeros(C, dtype=bool), np.zeros(C, dtype=bool), np.zeros(C)
     constraints = np.maximum(copies.total(state.there.sum(axis=1).astype(float)), 1.0)
     for _ in range(LIMIT):

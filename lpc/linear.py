@@ -67,8 +67,9 @@ def _dense(matrix: sparse.csr_array, rows: Ints, right: Floats) -> Floats:
     column = matrix.indices[entry] - np.repeat(rows[:, 0], size)[line]
     blocks = np.zeros((count * size, size))
     blocks[line, column] = matrix.data[entry]
-    solution: Floats = np.linalg.solve(blocks.reshape(count, size, size), right[rows][:, :, None])
-    return solution[:, :, 0]
+    solution = np.linalg.solve(blocks.reshape(count, size, size), right[rows][:, :, None])
+    found: Floats = solution[:, :, 0].astype(np.float64, copy=False)
+    return found
 
 
 def _ramp(lengths: Ints) -> Ints:

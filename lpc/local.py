@@ -82,4 +82,5 @@ class LocalProblem(Window):
         """Return the action of agent v at step t from an answer, shape (n,)."""
         if not len(self.free):
             raise InputError("nothing is free: LPC needs k >= 2 and r >= 1 to decide here")
-        return x[0]  # the pairs are ordered by step, then by distance from v
+        own: Floats = x[0]  # the pairs are ordered by step, then by distance from v
+        return own

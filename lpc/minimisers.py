@@ -9,7 +9,9 @@ from .costs import Quadratic
 from .problem import Problem
 from .sets import Box, Everywhere
 from .slope import Booleans
-from .terms import Pairs, Terms
+from .solve import solve
+from .terms import Terms
+from .whole import NoPairs
 
 CHUNK = 20_000  # actions at a time
 
@@ -46,17 +48,9 @@ def alone(problem: Problem, t: Ints, v: Ints) -> Terms:
     free = np.stack([np.arange(len(t)), t, v], axis=1)
     none, ends = np.zeros(0, dtype=np.int64), np.zeros((0, 2), dtype=np.int64)
     temporal, spatial = (
-        _NoPairs(cost, none, none, ends) for cost in (problem.temporal, problem.spatial)
+        NoPairs(cost, none, none, ends) for cost in (problem.temporal, problem.spatial)
     )
     return Terms(problem, free, np.zeros((0, 3), dtype=np.int64), temporal, spatial)
-
-
-class _NoPairs(Pairs):
-    """No costs of two actions."""
-
-    def arguments(self, values: Floats) -> Floats:
-        """Return no arguments, shape (0, 2 n)."""
-        return np.zeros((0, 2 * values.shape[1]))
 
 
 def minimisers_at(problem: Problem, t: Ints, v: Ints) -> Floats:
@@ -80,7 +74,7 @@ def _separable(problem: Problem, t: Ints, v: Ints) -> Booleans:
     n = problem.n
     matrix = problem.node.hessian(t, v, np.zeros((len(t), n)))
     diagonal = np.einsum("mii->mi", matrix)
-    plain = (matrix == diagonal[:, :, None] * np.eye(n)).all(axis=(1, 2))
+    plain: Booleans = (matrix == diagonal[:, :, None] * np.eye(n)).all(axis=(1, 2))
     if isinstance(problem.feasible, Box):
         return plain
     even: Booleans = plain & (diagonal == diagonal[:, :1]).all(axis=1)
@@ -88,8 +82,6 @@ def _separable(problem: Problem, t: Ints, v: Ints) -> Booleans:
 
 
 def _iterated(problem: Problem, t: Ints, v: Ints) -> Floats:
-    from .solve import solve
-
     n = problem.n
     start = np.zeros((len(t), n))
     if not problem.feasible.everywhere and not problem.feasible.projectable:

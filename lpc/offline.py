@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from time import perf_counter
-from typing import Literal
+from typing import Literal, cast
 
 import numpy as np
 
@@ -12,11 +12,13 @@ from ..graphs import InputError
 from .arrays import Floats
 from .banded import solve_banded
 from .barrier import Barrier
-from .certify import certify
+from .certify import Certificate, certify
 from .conjugate import Operator, Steady, Written, conjugate, hessian_of
 from .descent import Progress
 from .problem import Problem
+from .solve import Method as OfTerms
 from .solve import solve
+from .solved import Solved
 from .terms import Terms
 from .whole import whole
 
@@ -97,12 +99,14 @@ def optimum(
     terms = whole(problem)
     method = _chosen(problem) if method == "auto" else method
     fixed = np.asarray(problem.x_0)
+    found: Certificate | Solved
     if method in ("cg", "banded"):
         x, taken, good = _refined(terms, fixed, method, tolerance)
         found = certify(terms, fixed, x)
     else:
-        solved = solve(terms, fixed, tolerance=tolerance, method=method, progress=progress)
-        found, taken, good = solved, int(solved.iterations[0]), bool(solved.converged[0])
+        other = cast("OfTerms", method)
+        found = solve(terms, fixed, tolerance=tolerance, method=other, progress=progress)
+        taken, good = int(found.iterations[0]), bool(found.converged[0])
     actions = found.x.reshape(problem.H, problem.N, problem.n)
     return Optimum(
         actions,

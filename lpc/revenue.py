@@ -117,7 +117,8 @@ def guarantee(
     ``xi >= mu/2`` it is ``C/eta``, twice less. It also leaves ``b_1 x_0^2/2`` out of the constant.
     Two complements, H = 1, ``a = k = 1``, ``eta = 9/10``, ``b = 1/10``, ``x_0 = 0`` have
     ``mu = 1/10``, ``eta/2 = 29`` and ``cost(OPT) = 185/19``; an algorithm that gives everything
-    away costs 10, which is 38/37 of it, and earns nothing; the paper promises it 8/37.
+    away costs 10, which is 38/37 of it, and earns nothing; the paper promises it 8/37. Without
+    any edge it fails as well where a cap binds (``k = 1, b = 9/5``, cap 1/4), or ``x_0 > 0``.
 
     Parameters
     ----------

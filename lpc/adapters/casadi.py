@@ -54,7 +54,7 @@ def minimise(
         raise InputError("method = casadi: not installed; install nearsight[nlp]") from error
     shape = (len(terms.free), terms.problem.n)
     first = np.zeros(shape) if start is None else np.asarray(start)
-    program, derivatives = _program(casadi, Model.of(terms, fixed, first))
+    program, derivatives, _alive = _program(casadi, Model.of(terms, fixed, first))
     options = {
         "print_time": False,
         "ipopt": {
@@ -76,8 +76,8 @@ def minimise(
     return answer
 
 
-def _program(casadi: Any, model: Model) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return the program in CasADi's terms, and the options that hold its derivatives."""
+def _program(casadi: Any, model: Model) -> tuple[dict[str, Any], dict[str, Any], list[Any]]:
+    """Return a program for CasADi, options with its derivatives, and what has to outlive both."""
     size, count = model.size, model.count
     dense, single = casadi.Sparsity.dense(size), casadi.Sparsity.dense(1)
     multipliers = casadi.Sparsity.dense(count)
@@ -117,7 +117,7 @@ def _program(casadi: Any, model: Model) -> tuple[dict[str, Any], dict[str, Any]]
     )
     x = casadi.MX.sym("x", size)
     options = {"grad_f": grad_f, "jac_g": jac_g, "hess_lag": hess_lag, "no_nlp_grad": True}
-    return {"x": x, "f": f(x), "g": g(x)}, options
+    return {"x": x, "f": f(x), "g": g(x)}, options, [f, g]
 
 
 def _callback(

@@ -59,12 +59,16 @@ def minimise(
         lower.ravel(),
         upper.ravel(),
         verbose=False,
-        polishing=True,
+        polishing=False,
         eps_abs=accuracy,
         eps_rel=accuracy,
         max_iter=100_000,
     )
     found = solver.solve(raise_error=False)
+    x, y = found.x, found.y
+    if ((x - lower.ravel() < -y) | (upper.ravel() - x < y)).any():  # else it complains in print
+        solver.update_settings(polishing=True)
+        found = solver.solve(raise_error=False)
     if found.info.status != "solved":
         raise NearsightError(
             f"OSQP: {found.info.status} after {found.info.iter} iterations; ask for less accuracy "

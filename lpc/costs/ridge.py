@@ -101,13 +101,15 @@ class Ridge(Cost):
             raise InputError(f"{self.kind} cost: steps or members do not fit ({reason})") from None
         s, J = self.size, scaled.shape[2]
         if J == 1:
-            top = self.bend * self.weights[..., 0] * (self.directions**2).sum(axis=-1)[..., 0]
+            square = (self.directions**2).sum(axis=-1)[..., 0]
+            top = self.bend * self.weights[..., 0] * square
         else:
             top = np.linalg.eigvalsh(scaled.swapaxes(-1, -2) @ scaled)[..., -1]
         upper = base + np.maximum(top, 0.0)
         error = 8 * (s + J) * EPS * upper
-        if J == 1 and s <= 2 and np.isin(self.directions, (-1.0, 0.0, 1.0)).all():
+        if J == 1 and np.isin(self.directions, (-1.0, 0.0, 1.0)).all():
             whole = (upper - base == top) & (upper - top == base)  # nothing was rounded
+            whole &= np.isin(np.frexp(square)[0], (0.0, 0.5))
             error = np.where(whole, 0.0, error)
         return Curvature(base, upper, error, "exact" if _meets(self, all_of_them) else "bound")
 

@@ -39,10 +39,9 @@ class Box(FeasibleSet):
             for b, name in ((lower, "lower"), (upper, "upper"))
         )
         try:
-            gap = np.broadcast_to(high, np.broadcast_shapes(low.shape, high.shape)) - low
+            empty = np.asarray((low > high) | (low == np.inf) | (high == -np.inf))
         except ValueError as error:
             raise InputError(f"box: bounds of shapes {low.shape} and {high.shape}") from error
-        empty = ~(gap >= 0) | (low == np.inf) | (high == -np.inf)
         if empty.any():
             t, v, j = np.argwhere(empty)[0]
             a, b = (np.broadcast_to(x, empty.shape)[t, v, j] for x in (low, high))

@@ -126,7 +126,7 @@ class Convex(FeasibleSet):
         y[::2] += inside[row[::2]]
         with np.errstate(all="ignore"):
             g, slope, bend = self.constraints(t[row], v[row], y)
-        finite = np.isfinite(slope).all(axis=2) & np.isfinite(bend).all(axis=(2, 3))
+        finite = np.logical_and(np.isfinite(slope).all(axis=2), np.isfinite(bend).all(axis=(2, 3)))
         values = np.linalg.eigvalsh(np.where(finite[:, :, None, None], bend, 0.0))
         limit = SLACK * np.abs(values).max(axis=2, initial=0.0)
         huge = np.asarray(g == np.inf)  # exp(1000) is just too large
