@@ -12,6 +12,8 @@ from .costs import Cost, Curvature
 from .problem import Problem
 from .sets import Everywhere, FeasibleSet
 
+ROOM = 0.1  # of the slack of an interior point, which a starting point should have
+
 
 @dataclass(frozen=True, eq=False)
 class Barrier(Cost):
@@ -107,15 +109,21 @@ def with_barrier(problem: Problem, strength: float) -> Problem:
 
 
 def inner_start(feasible: FeasibleSet, t: Ints, v: Ints, guess: Floats) -> Floats:
-    """Return the guess where it is strictly within its set, else a point that is.
+    """Return a point well within every set, near the guess.
+
+    The guess stays where every constraint that is there has at least `ROOM` of the slack of
+    `interior`. Else it is moved half way to that point, which leaves half of its slack because g
+    is convex, or all the way if it is outside. A path that begins at the boundary gets nowhere.
 
     Raises
     ------
     InputError
-        If a set that does not contain its guess has no interior.
+        If a set has no interior.
     """
-    outside = ~(feasible.constraints(t, v, guess)[0] < 0).all(axis=1)
-    found = np.array(guess)
-    if outside.any():
-        found[outside] = feasible.interior(t[outside], v[outside])
-    return found
+    deep = np.broadcast_to(feasible.interior(t, v), guess.shape)
+    near, far = (feasible.constraints(t, v, x)[0] for x in (guess, deep))
+    with np.errstate(invalid="ignore"):  # -inf: a constraint that is not there
+        tight = (near > ROOM * far).any(axis=1)
+    outside = ~(near <= 0).all(axis=1)
+    found = np.where(tight[:, None], 0.5 * (guess + deep), guess)
+    return np.where(outside[:, None], deep, found)

@@ -9,13 +9,14 @@ from scipy import sparse
 
 from .arrays import Floats, Ints
 from .barrier import inner_start
-from .certify import Copies, norms, rounding
+from .certify import EPS, Copies, norms, rounding
 from .linear import solve_copies
 from .slope import Booleans
 from .solved import Solved
 from .terms import Terms
 
 LIMIT = 100  # steps; the strength falls tenfold in most of them
+PATIENCE = 8  # steps that hardly change the duality gap before a copy gives up
 SHARE = 0.1  # the next strength, as a part of the mean of multiplier times slack
 
 
@@ -66,6 +67,7 @@ def follow(
     C, (m, d) = len(copies.label), terms.scale
     scale = copies.total(m * (norms(state.gradient) / d) ** 2)
     done, good, taken = np.zeros(C, dtype=bool), np.zeros(C, dtype=bool), np.zeros(C)
+    before, slow = np.full(C, np.inf), np.zeros(C)
     constraints = np.maximum(copies.total(state.there.sum(axis=1).astype(float)), 1.0)
     for _ in range(LIMIT):
         gap = copies.total((state.multiplier * state.slack).sum(axis=1))
@@ -79,8 +81,16 @@ def follow(
             break
         target = np.maximum(SHARE * gap / constraints, strength)
         state, moved = _step(terms, fixed, copies, state, target, done)
-        good |= ~done & ~moved & (strength > 0) & (off <= 1e-6 * strength) & (wrong <= goal)
-        done |= ~moved
+        slow = np.where(gap <= 0.9 * before, 0, slow + 1)
+        before = gap
+        stuck = ~done & (~moved | ((strength == 0) & (slow >= PATIENCE)))
+        if stuck.any():  # at the floor of rounding, or for no good reason
+            floor = 100 * copies.total(rounding(terms, fixed, state.x) ** 2 / m)
+            close = (
+                (gap <= goal + state.blur(copies)) if strength == 0 else (off <= 1e-6 * strength)
+            )
+            good |= stuck & close & (wrong <= goal + floor)
+        done |= stuck
         taken += ~done
     return _certified(terms, fixed, copies, state, taken, good)
 
@@ -114,6 +124,11 @@ class _State:
         """The gradient of the Lagrangian, shape (F, n)."""
         found: Floats = self.gradient + np.einsum("mp,mpj->mj", self.multiplier, self.slope)
         return found
+
+    def blur(self, copies: Copies) -> Floats:
+        """By how much rounding may change ``sum_i -l_i g_i``, with a factor of 100, shape (C,)."""
+        steep = np.sqrt(np.einsum("mpj,mpj->mp", self.slope, self.slope))
+        return copies.total(100 * EPS * norms(self.x) * (self.multiplier * steep).sum(axis=1))
 
     def distance(self, strength: float) -> Floats:
         """The largest ``|-l_i g_i - strength|`` of every action, shape (F,)."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..graphs import NearsightError
 from .arrays import Floats, Ints
 from .information import Balls
 from .problem import Problem
@@ -76,6 +77,12 @@ class Locals:
         )
         start = self._theta[terms.free[:, 1] - 1, terms.free[:, 2]]
         found = solve(terms, known, start=start, tolerance=self._tolerance, method=self._method)
+        if not found.converged.all():
+            v = np.unique(terms.free[:, 0])[int(found.converged.argmin())]
+            raise NearsightError(
+                f"step {t}, agent {v}: the local problem was not solved by {found.method}, error "
+                f"{np.max(found.error):.2g}; try another method or tolerance"
+            )
         # copies are named after their agents
         here = (terms.free[:, 1] == t) & (terms.free[:, 2] == terms.free[:, 0])
         return found.x[here], np.broadcast_to(found.error, (copies,))

@@ -10,8 +10,7 @@ from .problem import Problem
 from .sets import Box, Everywhere
 from .slope import Booleans
 from .solve import solve
-from .terms import Terms
-from .whole import NoPairs
+from .terms import Pairs, Terms
 
 CHUNK = 20_000  # actions at a time
 
@@ -48,7 +47,7 @@ def alone(problem: Problem, t: Ints, v: Ints) -> Terms:
     free = np.stack([np.arange(len(t)), t, v], axis=1)
     none, ends = np.zeros(0, dtype=np.int64), np.zeros((0, 2), dtype=np.int64)
     temporal, spatial = (
-        NoPairs(cost, none, none, ends) for cost in (problem.temporal, problem.spatial)
+        Pairs(cost, none, none, ends) for cost in (problem.temporal, problem.spatial)
     )
     return Terms(problem, free, np.zeros((0, 3), dtype=np.int64), temporal, spatial)
 

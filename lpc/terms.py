@@ -27,7 +27,7 @@ class Pairs:
 
     def arguments(self, values: Floats) -> Floats:
         """Return w of every cost, shape (m, 2 n), from the values of all actions."""
-        return values[self.ends].reshape(len(self.t), -1)
+        return values[self.ends].reshape(len(self.t), 2 * values.shape[1])
 
     def later(self, steps: int) -> Pairs:
         """Return the same costs some steps later."""

@@ -4,17 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .arrays import Floats
 from .problem import Problem
 from .terms import Pairs, Terms
-
-
-class NoPairs(Pairs):
-    """No costs of two actions: a graph without edges."""
-
-    def arguments(self, values: Floats) -> Floats:
-        """Return no arguments, shape (0, 2 n)."""
-        return np.zeros((0, 2 * values.shape[1]))
 
 
 def whole(problem: Problem, first: int = 1, last: int | None = None) -> Terms:
@@ -53,5 +44,5 @@ def whole(problem: Problem, first: int = 1, last: int | None = None) -> Terms:
         free,
         fixed,
         Pairs(problem.temporal, t, v, ends),
-        (Pairs if E else NoPairs)(problem.spatial, np.repeat(steps, E), edges, between),
+        Pairs(problem.spatial, np.repeat(steps, E), edges, between),
     )

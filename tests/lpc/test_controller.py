@@ -81,7 +81,7 @@ def test_every_kind_agrees_with_single_local_problems(costs, feasible):
         found = controller.step(t, before)
         for v in range(problem.N):
             local = LocalProblem(problem, t, v, k, r)
-            expected = local.action(local.solve(*local.default_boundary(before)).x)
+            expected = local.action(local.solve(*local.default_boundary(before)))
             np.testing.assert_allclose(found[v], expected, rtol=0, atol=1e-7)
         before = found
 
