@@ -1,7 +1,7 @@
 """LPC against one call of a general solver per agent and step, in one run.
 
-    python benchmarks/lpc_simulate.py            # the two comparisons and the growth with N
-    python benchmarks/lpc_simulate.py --large    # also 10^5 agents, and the optimum of 10^6 unknowns
+    python benchmarks/lpc_simulate.py            # the two comparisons, the growth with N
+    python benchmarks/lpc_simulate.py --large    # and 10^5 agents, the optimum of 10^6 unknowns
 
 On a torus of 100 x 100 agents, H = 50, k = 5, r = 3:
 

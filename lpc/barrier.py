@@ -123,7 +123,6 @@ def inner_start(feasible: FeasibleSet, t: Ints, v: Ints, guess: Floats) -> Float
     deep = np.broadcast_to(feasible.interior(t, v), guess.shape)
     near, far = (feasible.constraints(t, v, x)[0] for x in (guess, deep))
     with np.errstate(invalid="ignore"):  # -inf: a constraint that is not there
-        tight = (near > ROOM * far).any(axis=1)
-    outside = ~(near <= 0).all(axis=1)
-    found = np.where(tight[:, None], 0.5 * (guess + deep), guess)
-    return np.where(outside[:, None], deep, found)
+        tight = np.any(near > ROOM * far, axis=1, keepdims=True)
+    inside = np.all(near <= 0, axis=1, keepdims=True)
+    return np.where(inside, np.where(tight, 0.5 * (guess + deep), guess), deep)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +14,7 @@ EVERY = 4  # iterations between two looks at the error
 FIRST = 8  # no look before this one
 LIMIT = 100_000
 TOGETHER = 1 << 15  # numbers of the programs iterated together: they stay in a core's cache
+SHARED = 8  # programs with one matrix that are worth a piece of their own
 POWERS = 8  # steps towards the best weights of Gershgorin's discs
 
 
@@ -90,10 +92,7 @@ class Reflections:
             Bounds on ``|x - x*|``, up to rounding.
         """
         x, error = np.empty_like(q), np.empty(len(q))
-        order = np.argsort(which, kind="stable")
-        per = max(1, TOGETHER // q.shape[1])
-        for first in range(0, len(q), per):
-            some = order[first : first + per]
+        for some in _pieces(which, max(1, TOGETHER // q.shape[1])):
             x[some], error[some] = self._together(which[some], q[some], onto.some(some), tolerance)
         return x, error
 
@@ -134,6 +133,17 @@ class Reflections:
     def _matrices(self, which: Ints) -> Floats:
         """Return a matrix a program, or one for all of them."""
         return self.reflection[which[:1] if (which == which[0]).all() else which]
+
+
+def _pieces(which: Ints, largest: int) -> Iterator[Ints]:
+    """Yield the programs in pieces; many with one matrix are not mixed with others."""
+    order = np.argsort(which, kind="stable")
+    counts = np.bincount(which)
+    many = counts[which[order]] >= SHARED
+    runs = np.split(order[many], np.cumsum(counts[counts >= SHARED])[:-1])
+    for run in (*runs, order[~many]):
+        for first in range(0, len(run), largest):
+            yield run[first : first + largest]
 
 
 def eigenvalue_bounds(matrices: Floats) -> tuple[Floats, Floats]:
