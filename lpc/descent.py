@@ -87,7 +87,8 @@ def descend(
     B. O'Donoghue, E. Candes, Adaptive restart for accelerated gradient schemes (2015).
     """
     if not terms.problem.feasible.projectable:
-        raise InputError(f"{terms.problem.feasible.kind} sets have no projection; use the barrier")
+        kind = terms.problem.feasible.kind
+        raise InputError(f"method = descent: {kind} sets have no projection; use barrier", "method")
     copies = Copies.of(terms)
     x = np.array(start, dtype=np.float64)
     iterations = np.zeros(len(copies.label), dtype=np.int64)

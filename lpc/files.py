@@ -94,6 +94,8 @@ def save_problem(
     head = {"format": FORMAT, "version": VERSION, "problem": tree, "metadata": plain}
     text = json.dumps(head, allow_nan=False).encode()
     entries: Arrays = {ENTRY: np.frombuffer(text, dtype=np.uint8), **arrays}
+    if not path.name:
+        raise InputError(f"{str(path)!r}: the name of a file is needed")
     part = path.with_name(f".{path.name}.{uuid.uuid4().hex}.part")
     try:
         try:

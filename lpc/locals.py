@@ -85,7 +85,9 @@ class Locals:
             )
         # copies are named after their agents
         here = (terms.free[:, 1] == t) & (terms.free[:, 2] == terms.free[:, 0])
-        return found.x[here], np.broadcast_to(found.error, (copies,))
+        # an error that is not known is no error of 0
+        error = np.where(np.isnan(found.error), np.inf, found.error)
+        return found.x[here], np.broadcast_to(error, (copies,))
 
     def _terms(self, index: int, t: int, m: int) -> Terms:
         """Return the local problems of one part; those of full windows differ in t only."""

@@ -10,6 +10,7 @@ from .checks import check_claims
 from .constants import Constants, constants
 from .problem import Problem
 
+FURTHEST = 10_000  # steps; a bound at more is hardly better
 LABELS = ("nearsight:sharp-cr", "coro:CR-LPC")
 
 
@@ -50,6 +51,8 @@ def promise(problem: Problem, k: int, r: int) -> Promise:
         check_claims(problem)
     if k < 2 or r < 1:
         return Promise(found, (), None, "at k = 1 or r = 0 nothing is free: no theorem")
+    # LPC is the same for all k > H, and for all r at which everybody sees all of its component
+    k, r = min(k, max(problem.H + 1, FURTHEST)), min(r, problem.N)
     setting = Setting(
         found.parameters(), network_growth(problem.network), k, r, problem.feasible.everywhere
     )

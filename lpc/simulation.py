@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from os import PathLike
 from pathlib import Path
 
 import numpy as np
@@ -62,23 +63,33 @@ class Simulation:
         return float(sum(part.sum() for part in self.costs.values()))
 
     @property
+    def determined(self) -> bool:
+        """Whether there is a ratio to speak of: the optimum is certainly 0, or certainly not."""
+        return self.optimum.cost > self.optimum.gap or max(self.cost, self.optimum.gap) == 0
+
+    @property
     def ratio(self) -> float:
-        """``cost(LPC) / cost(OPT)``: 1 if both are 0, infinite if only the optimum is."""
+        """``cost(LPC) / cost(OPT)``: 1 if both are 0, NaN if it is not `determined`."""
         return 1.0 + self.ratio_minus_one
 
     @property
     def ratio_minus_one(self) -> float:
         """``cost(LPC) / cost(OPT) - 1``, without cancellation."""
-        return _over(self.excess, self.optimum.cost)
+        if not self.determined:
+            return float("nan")
+        return self.interval[0]
 
     @property
     def interval(self) -> tuple[float, float]:
         """Where ``cost(LPC)/cost(OPT) - 1`` of these actions lies, up to rounding.
 
-        The optimum found is at most ``gap`` above the true one.
+        The optimum found is at most ``gap`` above the true one, which is at least 0.
         """
-        gap, best = self.optimum.gap, self.optimum.cost
-        return _over(self.excess, best), _over(self.excess + gap, max(best - gap, 0.0))
+        gap, best, more = self.optimum.gap, self.optimum.cost, max(self.excess, 0.0)
+        if self.cost == 0:
+            return 0.0, 0.0
+        lower = more / best if best > 0 else 0.0
+        return lower, (more + gap) / (best - gap) if best > gap else float("inf")
 
     @property
     def violation(self) -> float:
@@ -99,7 +110,7 @@ def simulate(
     method: str = "auto",
     workers: int = 1,
     tolerance: float = 1e-9,
-    checkpoint: str | Path | None = None,
+    checkpoint: str | PathLike[str] | None = None,
     progress: Progress | None = None,
 ) -> Simulation:
     """Run LPC on a problem and compare it with the clairvoyant optimum.
@@ -153,7 +164,7 @@ def simulate(
 
 
 def _play(
-    controller: Controller, checkpoint: str | Path | None, progress: Progress | None
+    controller: Controller, checkpoint: str | PathLike[str] | None, progress: Progress | None
 ) -> tuple[Floats, float]:
     """Return the actions, and the largest of the errors that the solvers admit."""
     problem = controller.problem
@@ -187,9 +198,3 @@ def _offline(progress: Progress | None) -> Callable[[int, float], None] | None:
     if progress is None:
         return None
     return lambda iteration, _: progress("optimum, iteration", iteration, 0)
-
-
-def _over(excess: float, best: float) -> float:
-    if best > 0:
-        return excess / best
-    return 0.0 if excess <= 0 else float("inf")

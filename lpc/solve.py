@@ -69,7 +69,8 @@ def solve(
         return _central(terms, fixed, start, tolerance)
     if method in ("osqp", "casadi"):
         return _adapted(terms, fixed, start, tolerance, method)
-    raise InputError(f"method = {method!r}: one of auto, direct, descent, barrier, casadi, osqp")
+    there = "auto, direct, descent, barrier, casadi, osqp"
+    raise InputError(f"method = {method!r}: one of {there}", "method")
 
 
 def _chosen(terms: Terms) -> Method:
@@ -98,7 +99,8 @@ def _central(terms: Terms, fixed: Floats, start: Floats, tolerance: float) -> So
 def _direct(terms: Terms, fixed: Floats, start: Floats) -> Solved:
     """Return ``x - H^-1 g(x)``, and that once more: one step of iterative refinement."""
     if not (terms.problem.quadratic and terms.problem.feasible.everywhere):
-        raise InputError("method = direct: quadratic costs without constraints are needed")
+        text = "method = direct: quadratic costs without constraints are needed"
+        raise InputError(text, "method")
     copies, x = Copies.of(terms), start
     matrix = terms.hessian(x, fixed)[0]
     for _ in range(2):

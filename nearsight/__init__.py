@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from . import bounds as bounds
     from . import graphs as graphs
     from . import lpc as lpc
+    from . import perturbation as perturbation
     from .api import bound as bound
     from .api import plan as plan
     from .api import setting as setting
@@ -49,6 +50,9 @@ if TYPE_CHECKING:
     from .lpc import load_problem as load_problem
     from .lpc import optimum as optimum
     from .lpc import save_problem as save_problem
+    from .measuring import measure as measure
+    from .perturbation import Measurement as Measurement
+    from .perturbation import sensitivity as sensitivity
     from .simulating import random_problem as random_problem
     from .simulating import simulate as simulate
 
@@ -64,6 +68,7 @@ _EXPORTS: dict[str, str] = {
     "Growth": ".graphs",
     "Hypothesis": ".bounds",
     "InputError": ".graphs",
+    "Measurement": ".perturbation",
     "NearsightError": ".graphs",
     "Network": ".graphs",
     "Pair": ".bounds",
@@ -85,14 +90,17 @@ _EXPORTS: dict[str, str] = {
     "instance": ".lpc",
     "load_problem": ".lpc",
     "lpc": ".lpc",
+    "measure": ".measuring",
     "network_growth": ".graphs",
     "optimum": ".lpc",
     "parse_graph": ".graphs",
     "parse_growth": ".graphs",
+    "perturbation": ".perturbation",
     "plan": ".api",
     "random_problem": ".simulating",
     "read_graph": ".graphs",
     "save_problem": ".lpc",
+    "sensitivity": ".perturbation",
     "setting": ".api",
     "simulate": ".simulating",
 }

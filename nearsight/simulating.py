@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from os import PathLike
+from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -124,6 +124,6 @@ def simulate(
         method=method,
         workers=workers,
         tolerance=tolerance,
-        checkpoint=checkpoint,
+        checkpoint=None if checkpoint is None else fspath(checkpoint),
         progress=progress,
     )

@@ -51,7 +51,8 @@ def minimise(
     try:
         import casadi
     except ImportError as error:
-        raise InputError("method = casadi: not installed; install nearsight[nlp]") from error
+        text = "method = casadi: not installed; install nearsight[nlp]"
+        raise InputError(text, "method") from error
     shape = (len(terms.free), terms.problem.n)
     first = np.zeros(shape) if start is None else np.asarray(start)
     program, derivatives, _alive = _program(casadi, Model.of(terms, fixed, first))

@@ -39,11 +39,11 @@ def minimise(
     try:
         import osqp
     except ImportError as error:
-        raise InputError("method = osqp: not installed; install nearsight[qp]") from error
+        raise InputError("method = osqp: not installed; install nearsight[qp]", "method") from error
     problem, shape = terms.problem, (len(terms.free), terms.problem.n)
     box = problem.feasible
     if not problem.quadratic or not (isinstance(box, Box) or box.everywhere):
-        raise InputError("method = osqp: quadratic costs over a box are needed")
+        raise InputError("method = osqp: quadratic costs over a box are needed", "method")
     base = np.zeros(shape) if start is None else start
     lower, upper = np.full(shape, -np.inf), np.full(shape, np.inf)
     if isinstance(box, Box):

@@ -12,6 +12,7 @@ import click
 _SHARED = {
     "group",
     "options",
+    "measurement_tables",
     "output",
     "simulation_tables",
     "tables",

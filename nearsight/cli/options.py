@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from contextlib import contextmanager
 from typing import Any
@@ -23,7 +24,7 @@ NETWORK = [
         "ring-of-blocks:D poly:C,P values:1,4,8,12.",
     ),
     click.option("--max-degree", type=int, help="Largest degree, for --growth poly and values."),
-    click.option("--seed", type=int, default=0, show_default=True, help="For random families."),
+    click.option("--seed", type=int, default=0, show_default=True, help="For all that is random."),
     click.option(
         "--clean", is_flag=True, help="Drop directions, parallel edges and self-loops of a file."
     ),
@@ -63,6 +64,8 @@ COSTS = [
     click.option("--unconstrained", is_flag=True, help="Every feasible set is all of R^n."),
 ]
 
+_RENAMED = {"H": "--horizon", "n": "--dimension"}
+
 JSON = click.option("--json", "as_json", is_flag=True, help="Print one JSON document.")
 
 
@@ -81,20 +84,37 @@ def options(*groups: Any) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
 @contextmanager
 def input_errors() -> Any:
     """Turn an unusable input into one line that names the option."""
-    from ..graphs import InputError
+    from ..graphs import NearsightError
 
     try:
         yield
-    except InputError as error:
-        name = f"{_option(error.argument)}: " if error.argument else ""
+    except NearsightError as error:  # a solver that fails says what to try in its place
+        argument = getattr(error, "argument", None)
+        name = f"{option_of(argument)}: " if argument else ""
         raise click.UsageError(name + str(error)) from error
+    except MemoryError as error:
+        raise click.UsageError(f"too large for the memory here: {error}") from error
 
 
-def _option(argument: str) -> str:
-    if argument == "H":
-        return "--horizon"
+def option_of(argument: str) -> str:
+    """Return the option that an argument of the Python interface goes by."""
+    if argument in _RENAMED:
+        return _RENAMED[argument]
     return (
         f"-{argument}"
         if len(argument) == 1 and argument != "b"
         else "--" + argument.replace("_", "-").lower()
     )
+
+
+def box_of(text: str | None) -> tuple[float, float] | None:
+    """Return the two numbers of ``--box LO,HI``."""
+    if text is None:
+        return None
+    try:
+        low, high = (float(part) for part in text.split(","))
+    except ValueError as error:
+        raise click.UsageError(f"--box: {text!r}: two numbers, such as -1,1, are needed") from error
+    if not (low <= high and low < math.inf and high > -math.inf):
+        raise click.UsageError(f"--box: {text!r}: two numbers, the first at most the second")
+    return low, high

@@ -76,6 +76,10 @@ class Progress:
         """Show how much of a network has been measured."""
         self(f"measuring the network: {done}/{total}")
 
+    def instances(self, done: int, total: int) -> None:
+        """Show how many instances have been measured."""
+        self(f"instance {done}/{total}")
+
     def step(self, what: str, done: int, total: int) -> None:
         """Show how far a simulation or an iteration is."""
         self(f"{what} {done}/{total}" if total else f"{what} {done}")

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from .options import FINITE, JSON, input_errors, options, strengths
+from .options import FINITE, JSON, box_of, input_errors, option_of, options, strengths
 from .output import Progress, print_json
 
 if TYPE_CHECKING:
     from ..lpc import Problem, Simulation
-    from ..lpc.promise import Promise
+
+_FILE = click.Path(dir_okay=False, path_type=Path)
 
 _INSTANCE = [
     click.option("--horizon", type=int, help="Number of steps H."),
@@ -38,18 +42,12 @@ _INSTANCE = [
 ]
 
 _FILES = [
-    click.option(
-        "--problem", type=click.Path(path_type=Path), help="A problem file, in place of all above."
-    ),
-    click.option("--save", type=click.Path(path_type=Path), help="Write the problem to a file."),
-    click.option(
-        "--actions",
-        type=click.Path(path_type=Path),
-        help="Write both trajectories (.npz).",
-    ),
+    click.option("--problem", type=_FILE, help="A problem file, in place of all above."),
+    click.option("--save", type=_FILE, help="Write the problem to a file."),
+    click.option("--actions", type=_FILE, help="Write both trajectories (.npz)."),
     click.option(
         "--checkpoint",
-        type=click.Path(path_type=Path),
+        type=_FILE,
         help="Keep completed steps in a file, and go on after those it holds.",
     ),
 ]
@@ -101,7 +99,12 @@ def COMMAND(
         if save is not None:
             from ..lpc import save_problem
 
-            save_problem(problem, save)
+            with _naming("--save"):
+                save_problem(problem, save)
+        if actions is not None:
+            _writable(actions)  # rather than find out after hours
+        progress("measuring the constants")
+        promised = promise(problem, k, r)  # it refutes false claims, so before the long part
         run = simulate(
             problem,
             k=k,
@@ -112,53 +115,62 @@ def COMMAND(
             checkpoint=checkpoint,
             progress=progress.step,
         )
-        progress("measuring the constants")
-        promised = promise(problem, k, r)
         if actions is not None:
             _write(actions, run)
         progress.close()
+    from .simulation_tables import document, print_simulation
+
     if as_json:
         print_json(document(run, promised))
-        return
-    from .simulation_tables import print_simulation
-
-    print_simulation(run, promised)
+    else:
+        print_simulation(run, promised)
 
 
 def _problem(problem: Path | None, box: str | None, horizon: int | None, **given: Any) -> Problem:
     """Read the problem, or draw it."""
     context = click.get_current_context()
-    typed = {
-        name
-        for name in ("graph", "mu", "l_f", "l_T", "l_S", "horizon", "box", "style", "targets", "n")
+    typed = [
+        option_of(name)
+        for name in ("horizon", "box", *given)
         if context.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE
-    }
+    ]
     if problem is not None:
         if typed:
             raise click.UsageError(
-                f"--problem: the file says what {', '.join(sorted(typed))} would; leave it out"
+                f"--problem {problem}: the file says what {', '.join(typed)} would; leave it out"
             )
         from ..lpc import load_problem
 
-        return load_problem(problem).problem
+        with _naming("--problem"):
+            return load_problem(problem).problem
     needed = {"graph": "--graph", "mu": "--mu", "l_f": "--l-f", "l_T": "--l-t", "l_S": "--l-s"}
     missing = [option for name, option in needed.items() if given[name] is None]
     missing += ["--horizon"] * (horizon is None)
-    if missing:
+    if missing or horizon is None:
         raise click.UsageError(f"{', '.join(missing)} needed (or --problem FILE)")
     from ..simulating import random_problem
 
-    return random_problem(horizon=horizon, box=_pair(box), **given)
+    return random_problem(horizon=horizon, box=box_of(box), **given)
 
 
-def _pair(text: str | None) -> tuple[float, float] | None:
-    if text is None:
-        return None
+@contextmanager
+def _naming(option: str) -> Iterator[None]:
+    """Put the option before what is wrong with its file."""
+    from ..graphs import InputError
+
     try:
-        low, high = (float(part) for part in text.split(","))
-    except ValueError as error:
-        raise click.UsageError(f"--box: {text!r}: two numbers, such as -1,1, are needed") from error
-    return low, high
+        yield
+    except InputError as error:
+        raise InputError(f"{option} {error}") from error
+
+
+def _writable(path: Path) -> None:
+    """Raise `InputError` if a file cannot be written, without making it."""
+    from ..graphs import InputError
+
+    place = path if path.exists() else path.parent
+    if not (path.parent.is_dir() and os.access(place, os.W_OK)):
+        raise InputError(f"--actions {path}: a file in a folder to be written to is needed")
 
 
 def _write(path: Path, run: Simulation) -> None:
@@ -171,39 +183,3 @@ def _write(path: Path, run: Simulation) -> None:
             np.savez_compressed(file, lpc=run.x, optimum=run.optimum.x, x_0=run.problem.x_0)
     except OSError as error:
         raise InputError(f"--actions {path}: {error.strerror or error}") from error
-
-
-def document(run: Simulation, promised: Promise) -> dict[str, Any]:
-    """Return the JSON of `simulate`."""
-    lower, upper = run.interval
-    p, best = promised.constants, run.optimum
-    found: dict[str, Any] = {
-        "k": run.k,
-        "r": run.r,
-        "horizon": run.problem.H,
-        "dimension": run.problem.n,
-        "cost": run.cost,
-        "optimal_cost": best.cost,
-        "ratio": run.ratio,
-        "ratio_minus_one": run.ratio_minus_one,
-        "costs": {name: float(part.sum()) for name, part in run.costs.items()},
-        "optimal_costs": {n: float(part.sum()) for n, part in run.problem.costs(best.x).items()},
-        "certificate": {
-            "ratio_minus_one": [lower, upper],
-            "optimum_gap": best.gap,
-            "optimum_error": best.error,
-            "optimum_method": best.method,
-            "action_error": run.action_error,
-            "violation": run.violation,
-        },
-        "parameters": {n: getattr(p, n).value for n in ("mu", "l_f", "l_T", "l_S")},
-        "parameters_source": {n: getattr(p, n).source for n in ("mu", "l_f", "l_T", "l_S")},
-        "promised_cr_minus_one": promised.cr_minus_one,
-        "method": run.method,
-        "seconds": run.seconds,
-    }
-    if best.cost == 0 and run.cost > 0:
-        found["ratio_reason"] = "the optimum costs nothing, LPC does: the ratio is unbounded"
-    if promised.reason:
-        found["promised_reason"] = promised.reason
-    return found

@@ -33,31 +33,37 @@ def number(value: Any) -> str:
     return np.array2string(np.asarray(value), precision=6) if np.ndim(value) else f"{value:.6g}"
 
 
-def _show(console: Console, table: Table) -> None:
+def _show(console: Console, lines: Table) -> None:
     """Print a table without the blanks that pad its lines."""
     with console.capture() as capture:
-        console.print(table)
+        console.print(lines)
     for line in capture.get().rstrip().splitlines():
         click.echo(line.rstrip())
 
 
-def _table(*columns: str) -> Table:
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+def show(lines: Table) -> None:
+    """Print a table at the width of the terminal."""
+    _show(_console(), lines)
+
+
+def table(*columns: str) -> Table:
+    """Return an empty table; numbers are aligned to the right."""
+    found = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     words = ("tier", "guarantee", "bottleneck", "by")
     for name in columns:
-        table.add_column(name, justify="left" if name in words else "right", no_wrap=True)
-    return table
+        found.add_column(name, justify="left" if name in words else "right", no_wrap=True)
+    return found
 
 
 def print_plan(plan: Plan, frontier: bool) -> None:
     """Print one row a tier, then why a row is empty or no guarantee, then the frontier."""
     console = _console()
     console.print(f"target: competitive ratio <= {plan.target:.12g}")
-    table = _table("tier", "k", "r", "CR - 1", "work", "guarantee", "bottleneck", "with one more")
+    lines = table("tier", "k", "r", "CR - 1", "work", "guarantee", "bottleneck", "with one more")
     rows = [_plan_row(plan, t) for t in plan.tiers]
     for t, row in zip(plan.tiers, rows, strict=True):
-        table.add_row(*row, style=_STYLE[t.tier])
-    _show(console, table)
+        lines.add_row(*row, style=_STYLE[t.tier])
+    _show(console, lines)
     if any("*" in row[2] for row in rows):
         console.print("* every agent decides for all it is connected to")
     for t in plan.tiers:
@@ -88,10 +94,10 @@ def _print_frontier(console: Console, t: TierPlan) -> None:
     if not t.frontier:
         return
     console.print(f"\n{t.tier}: all pairs that waste nothing")
-    table = _table("k", "r", "CR - 1", "work", "by")
+    lines = table("k", "r", "CR - 1", "work", "by")
     for p, work in zip(t.frontier, t.work, strict=True):
-        table.add_row(str(p.k), str(p.r), number(p.excess), str(work), p.variant)
-    _show(console, table)
+        lines.add_row(str(p.k), str(p.r), number(p.excess), str(work), p.variant)
+    _show(console, lines)
 
 
 def print_results(results: list[Result], explain: bool) -> None:

@@ -39,7 +39,7 @@ CASES = {
     f"bound --growth line {COSTS} --b 1,0": ("--b", "0", "> 0"),
     f"bound --growth line {COSTS} --label thm:none": ("--label", "thm:none", "thm:bottleneck"),
     "plan --growth line": ("--mu", "Missing", ""),
-    "plann": ("plann", "bound, plan", ""),
+    "plann": ("plann", "bound, measure, plan, simulate", ""),
 }
 
 
