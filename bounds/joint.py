@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .arithmetic import Number, minimum, power, select, sqrt
-from .decay import demko, g
+from .decay import demko, g, slice_decay
 from .formula import formula
 
 
@@ -90,9 +90,13 @@ def top_bound(a_T: Number, x: Number, dt: Any, ds: Any, p: Number, q: Number) ->
     """Return the sharp sensitivity to one top or bottom variable, ``dt >= 1`` steps away.
 
     ``a/2`` times the entry at ``(dt - 1, ds)``, by the least of (J) at the given rates and
-    of the two axis forms.
+    of the two axis forms; or the sensitivity ``s_dt`` of whole slices, see `slice_decay`,
+    whose argument holds for local problems too: with weights that depend on the step only,
+    spatial edges cost nothing, and neither does a lateral boundary that stays as it is. At
+    ``ds = 0`` it is attained.
     """
-    return a_T / 2 * _least_entry(a_T, x, np.asarray(dt) - 1, ds, p, q)
+    entry = a_T / 2 * _least_entry(a_T, x, np.asarray(dt) - 1, ds, p, q)
+    return minimum(entry, slice_decay(a_T, dt))
 
 
 @formula(counts=("max_degree", "dt", "ds"))

@@ -16,7 +16,7 @@ from ..lpc.files import load_problem, save_problem
 from ..lpc.problem import Problem
 from ..lpc.window import Window
 from .sensitivity import sensitivity
-from .target import Target, place, window_at
+from .target import Target, place, ratio, window_at
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,12 +56,8 @@ class Found:
 
     @property
     def ratios(self) -> dict[str, float]:
-        """``value / bound`` of each tier, infinite where a bound is 0 and the value is not."""
-        found = {}
-        for tier, bound in self.bounds.items():
-            zero = 1.0 if self.value == 0 else np.inf
-            found[tier] = float(self.value / bound) if bound > 0 else zero
-        return found
+        """``value / bound`` of each tier, infinite where only the bound is 0."""
+        return {tier: ratio(self.value, bound) for tier, bound in self.bounds.items()}
 
     def measured(self) -> float:
         """Return the value by `sensitivity`, which knows nothing of the search."""

@@ -52,11 +52,10 @@ class Response:
     def with_gradient(self, blocks: Blocks, *, gradient: bool = True) -> tuple[float, Blocks]:
         """Return sigma and its derivatives in the blocks (the blocks themselves if not asked)."""
         n, F, G = self.terms.problem.n, len(self.terms.free), len(self.terms.fixed)
-        whole = np.bincount(
-            self._where,
-            np.concatenate([block.ravel() for block in blocks])[self._kept],
-            minlength=F * n * (F + G) * n,
-        ).reshape(F * n, (F + G) * n)
+        kept, where = self._layout
+        entries = np.concatenate([block.ravel() for block in blocks])[kept]
+        flat = np.bincount(where, entries, minlength=F * n * (F + G) * n)
+        whole: Floats = flat.astype(np.float64, copy=False).reshape(F * n, (F + G) * n)
         M = whole[:, : F * n]
         factor = linalg.cho_factor(M, check_finite=False)
         inner = np.arange(n)
@@ -91,14 +90,6 @@ class Response:
             where.append((i.ravel() * (F + G) * n + j.ravel())[mine])
             before += i.size
         return np.concatenate(kept), np.concatenate(where)
-
-    @property
-    def _kept(self) -> Ints:
-        return self._layout[0]
-
-    @property
-    def _where(self) -> Ints:
-        return self._layout[1]
 
 
 def _solve(factor: tuple[Floats, bool], M: Floats, right: Floats) -> Floats:

@@ -76,7 +76,7 @@ def promises(
     part, gap, hops = separation(window, target)
     if isinstance(window, GlobalProblem):
         setting = Setting(parameters, growth)
-        found = {}
+        found: dict[str, float] = {}
         for bound in bounds_for("thm:global-exp-decay"):
             values = bound.in_floats(setting)
             found[bound.tier] = float(values["C_G"] * values["rho_G"] ** gap)
@@ -85,6 +85,13 @@ def promises(
         return {}
     each = Promised(parameters, growth).bounds(part, np.array([gap]), np.array([hops]))
     return {tier: float(values[0]) for tier, values in each.items()}
+
+
+def ratio(value: float, bound: float) -> float:
+    """Return ``value / bound``: 0 for 0/0, infinite where only the bound is 0."""
+    if value == 0:
+        return 0.0
+    return float(value / bound) if bound > 0 else float("inf")
 
 
 def place(window: Window) -> dict[str, Any]:

@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
 from ..bounds import Parameters
 from ..graphs import Growth, InputError, network_growth
 from ..lpc.window import Window
 from .found import Found
 from .search import Climb, Progress, search
-from .target import Target, promises, separation
+from .target import Target, promises, ratio, separation
 
 FEW = 40  # iterations of the first look at an entry
 
@@ -34,11 +32,8 @@ class Look:
     bounds: Mapping[str, float]
 
     def ratio(self, tier: str) -> float:
-        """Return ``value / bound``; infinite where the bound is 0 and the value is not."""
-        if self.value == 0:
-            return 0.0
-        bound = self.bounds[tier]
-        return self.value / bound if bound > 0 else float(np.inf)
+        """Return ``value / bound``, infinite where only the bound is 0."""
+        return ratio(self.value, self.bounds[tier])
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,17 +117,15 @@ def worst(
     if tier not in tiers:
         raise InputError(f"tier = {tier!r}: one of {', '.join(sorted(tiers))}", "tier")
     order = sorted(range(len(looks)), key=lambda j: -looks[j].ratio(tier))[:refine]
-    best: Found | None = None
+    searched = []
     for count, j in enumerate(order):
         target = looks[j].target
         seen = search(window, target, parameters, starts=starts, seed=seed, growth=growth)
         looks[j] = Look(target, max(seen.value, looks[j].value), looks[j].bounds)
-        if best is None or seen.ratios[tier] > best.ratios[tier]:
-            best = seen
+        searched.append(seen)
         if progress is not None:
             progress(len(targets) + count + 1, total)
-    if best is None:
-        raise InputError("nothing fixed touches a free action: there is no sensitivity")
+    best = max(searched, key=lambda seen: seen.ratios[tier])
     return Worst(tier, best, tuple(looks))
 
 

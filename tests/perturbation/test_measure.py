@@ -96,7 +96,9 @@ def test_bounds_are_those_of_the_theorems():
             * ((np.sqrt(c) - 1) / (np.sqrt(c) + 1)) ** steps
             for c, steps in ((1 + 2 * a, d - 1), (1 + x, q))
         ]
-        assert sharp == pytest.approx(min(entry, a / 2 * min(axes)), rel=1e-4)
+        gamma = (np.sqrt(1 + 2 * a) - 1) / (np.sqrt(1 + 2 * a) + 1)
+        slices = a / (2 * np.sqrt(1 + a)) * gamma ** (d - 1)
+        assert sharp == pytest.approx(min(entry, a / 2 * min(axes), slices), rel=1e-4)
 
 
 @pytest.mark.parametrize("spec", GRAPHS)
