@@ -51,6 +51,7 @@ if TYPE_CHECKING:
     from .lpc import optimum as optimum
     from .lpc import save_problem as save_problem
     from .measuring import measure as measure
+    from .measuring import search_sensitivity as search_sensitivity
     from .perturbation import Measurement as Measurement
     from .perturbation import sensitivity as sensitivity
     from .simulating import random_problem as random_problem
@@ -100,6 +101,7 @@ _EXPORTS: dict[str, str] = {
     "random_problem": ".simulating",
     "read_graph": ".graphs",
     "save_problem": ".lpc",
+    "search_sensitivity": ".measuring",
     "sensitivity": ".perturbation",
     "setting": ".api",
     "simulate": ".simulating",

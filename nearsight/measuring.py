@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .api import Graph
-    from .perturbation import Measurement
+    from .perturbation import Measurement, Searched
     from .perturbation.measure import Progress
 
 
@@ -83,3 +83,57 @@ def measure(
         checkpoint=None if checkpoint is None else fspath(checkpoint),
         progress=progress,
     )
+
+
+def search_sensitivity(
+    *,
+    graph: Graph,
+    mu: float,
+    l_f: float,
+    l_T: float,
+    l_S: float,
+    k: int,
+    r: int,
+    tier: str = "stated",
+    agent: int | None = None,
+    starts: int = 2,
+    n: int = 1,
+    seed: int = 0,
+    clean: bool = False,
+    progress: Progress | None = None,
+) -> Searched:
+    """Push the sensitivities of one local problem up within the class, against a tier's bounds.
+
+    Parameters
+    ----------
+    graph, mu, l_f, l_T, l_S, k, r, seed, clean
+        As for `measure`.
+    tier : str
+        Whose bound is attacked.
+    agent : int, optional
+        Whose local problem; that of an agent with most neighbours if omitted.
+    starts : int
+        Random starts of a full search.
+    n : int
+        Entries of one action.
+    progress : callable, optional
+        Called as ``progress(done, total)``.
+
+    Returns
+    -------
+    Searched
+        ``worst.ratio`` is measured over promised; ``worst.found.save(path)`` keeps the instance.
+
+    Examples
+    --------
+    >>> import nearsight as ns
+    >>> found = ns.search_sensitivity(graph="path:3", mu=1, l_f=1, l_T=1, l_S=0.01, k=2, r=1)
+    >>> found.worst.ratio > 1  # an instance of the class exceeds the printed bound
+    True
+    """
+    from .api import network
+    from .bounds import Parameters
+    from .perturbation import Spec, searched
+
+    spec = Spec(network(graph, seed, clean), Parameters(mu, l_f, l_T, l_S), k, r, n=n, seed=seed)
+    return searched(spec, v=agent, tier=tier, starts=starts, progress=progress)

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy as np
 
-from ..graphs import InputError, network_growth
+from ..graphs import InputError
 from ..lpc.arrays import Floats
 from .fit import Fit, fit
 from .profile import Cell, profile
-from .promised import Promised
+from .promised import TIERS, Promised
 from .slices import Slices
 from .spec import Spec
 from .store import Store
@@ -33,6 +33,9 @@ class Measurement:
         The largest sensitivity to one boundary variable, for every part and distance.
     slices : Slices
         The largest sensitivity of a time slice to another, by distance.
+    jumps : dict
+        For each tier the largest ``moved / promised`` when a whole boundary jumps by a finite
+        amount, see `jumps`: above 1 the bound is false.
     fit : Fit
         Rates of decay of the profiles.
     instances : int
@@ -42,6 +45,7 @@ class Measurement:
     spec: Spec
     profiles: tuple[Cell, ...]
     slices: Slices
+    jumps: dict[str, float]
     fit: Fit
     instances: int
 
@@ -98,7 +102,7 @@ def measure(
         raise InputError(f"instances = {instances}: an integer >= 1 is needed", "instances")
     starts = range(0, instances, UNIT)
     works = [Work(spec, first, min(first + UNIT, instances)) for first in starts]
-    width = int(np.prod(spec.shape)) + spec.k
+    width = spec.width
     rows = np.empty((len(works), UNIT, width))
     with Store.open(checkpoint, spec.identity(), UNIT * width) as store:
         missing = [j for j in range(len(works)) if not store.load(j, rows[j], works[j].last)]
@@ -111,12 +115,14 @@ def measure(
             if progress is not None:
                 progress(done, instances)
     flat = rows.reshape(-1, width)[:instances]
-    cells = flat[:, : -spec.k].reshape(-1, *spec.shape)
-    promised = Promised(spec.parameters, network_growth(spec.network))
+    first = int(np.prod(spec.shape))
+    cells = flat[:, :first].reshape(-1, *spec.shape)
+    last = first + spec.k
     return Measurement(
         spec,
-        profile(cells, promised),
-        Slices.of(flat[:, -spec.k :], spec.parameters),
+        profile(cells, Promised(spec.parameters, spec.growth)),
+        Slices.of(flat[:, first:last], spec.parameters),
+        dict(zip(TIERS, flat[:, last:].max(axis=0).tolist(), strict=True)),
         fit(cells, spec.seed),
         instances,
     )

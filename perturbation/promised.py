@@ -44,10 +44,14 @@ class Promised:
         dt, ds : ndarray of int
             Of one shape; ``dt >= 1`` for top and bottom, ``ds >= 1`` for the lateral part.
         """
-        found = {tier: self._printed(tier, part, dt, ds) for tier in ("stated", "repaired")}
-        found["sharp"] = self._sharp(part, dt, ds)
+        found = self.local(part, dt, ds)
         tight = self._tight(part, dt, ds)
         return found if tight is None else found | {"tight": tight}
+
+    def local(self, part: str, dt: Ints, ds: Ints) -> dict[str, Floats]:
+        """Return the same without ``tight``, which asks for all distances of the network."""
+        found = {tier: self._printed(tier, part, dt, ds) for tier in ("stated", "repaired")}
+        return found | {"sharp": self._sharp(part, dt, ds)}
 
     def _setting(self) -> Setting:
         return Setting(self.parameters, self.growth)

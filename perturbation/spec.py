@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from ..bounds import Parameters
-from ..graphs import InputError, Network
+from ..graphs import Growth, InputError, Network, network_growth
 from ..lpc.arrays import Floats
 from ..lpc.information import check_sight
 from ..lpc.instances import instance, styles
 from ..lpc.local import LocalProblem
 from ..lpc.problem import Problem
+from .jumps import jumps, tables
 from .neighbourhood import Neighbourhood
 from .profile import PARTS, Cells
+from .promised import TIERS, Promised
 from .sensitivity import sensitivity
 from .slices import slices
 
@@ -108,11 +111,28 @@ class Spec:
         return len(PARTS), self.k + 1, 2 * self.r + 1
 
     def cells(self, i: int) -> Floats:
-        """Return the cells of instance i, and after them its slices, as one vector."""
+        """Return the cells of instance i, then its slices, then its jumps, as one vector."""
         drawn = self.draw(i)
         found = sensitivity(drawn.window, drawn.y, drawn.z)
-        cells = Cells.of(found, drawn.around.distance, self.k, 2 * self.r).largest.ravel()
-        return np.concatenate([cells, slices(drawn.problem, self.k)])
+        distance = drawn.around.distance
+        cells = Cells.of(found, distance, self.k, 2 * self.r).largest.ravel()
+        rng = np.random.default_rng([self.seed, i, 1])
+        jumped = jumps(drawn.window, found, (drawn.y, drawn.z), distance, self._bounds, rng)
+        return np.concatenate([cells, slices(drawn.problem, self.k), jumped])
+
+    @property
+    def width(self) -> int:
+        """The length of `cells`."""
+        return int(np.prod(self.shape)) + self.k + len(TIERS)
+
+    @cached_property
+    def growth(self) -> Growth:
+        """The growth of the network."""
+        return network_growth(self.network)
+
+    @cached_property
+    def _bounds(self) -> Floats:
+        return tables(Promised(self.parameters, self.growth), self.k, 2 * self.r)
 
     def identity(self) -> dict[str, object]:
         """Return what tells one measurement from another, as JSON values."""

@@ -80,6 +80,10 @@ class Progress:
         """Show how many instances have been measured."""
         self(f"instance {done}/{total}")
 
+    def entries(self, done: int, total: int) -> None:
+        """Show how many entries have been searched."""
+        self(f"search {done}/{total}")
+
     def step(self, what: str, done: int, total: int) -> None:
         """Show how far a simulation or an iteration is."""
         self(f"{what} {done}/{total}" if total else f"{what} {done}")

@@ -113,6 +113,7 @@ def test_no_sharp_or_repaired_bound_is_exceeded(spec):
         guaranteed = {"repaired", "sharp", "tight"}
         assert not [cell for tier, cell in found.violations if tier in guaranteed]
         assert not [d for tier, d in found.slices.violations if tier in guaranteed]
+        assert max(found.jumps["repaired"], found.jumps["sharp"]) <= 1
 
 
 @pytest.mark.slow
@@ -132,6 +133,7 @@ def test_no_bound_is_exceeded_by_a_hundred_thousand(spec):
         )
         assert {tier for tier, _ in found.violations} <= {"stated"}
         assert {tier for tier, _ in found.slices.violations} <= {"stated"}
+        assert max(found.jumps["repaired"], found.jumps["sharp"]) <= 1
 
 
 def test_the_printed_bound_is_caught_at_weak_couplings():
@@ -165,6 +167,30 @@ def test_slices_are_norms_of_the_dense_inverse():
             d = abs(row + 1 - tau)
             expected[d] = np.fmax(expected[d], np.linalg.norm(block, 2))
     np.testing.assert_allclose(slices(problem, 4), expected, rtol=1e-10)
+
+
+def test_jumps_are_distances_of_two_solutions():
+    # the ratio of one instance, from two solves and a plain double sum over the boundary
+    spec = Spec(parse_graph("grid:4x4"), P, 3, 2, styles=("blocks",), n=2, seed=3)
+    drawn = spec.draw(0)
+    rng = np.random.default_rng([3, 0, 1])
+    size = 10 ** rng.uniform(-3, 1)
+    dy, dz = (size * rng.normal(size=part.shape) for part in (drawn.y, drawn.z))
+    window = drawn.window
+    before, after = window.solve(drawn.y, drawn.z), window.solve(drawn.y + dy, drawn.z + dz)
+    promised, worst = Promised(P, spec.growth), 0.0
+    touching = {tuple(pair) for pair in window.terms.fixed[:, 1:].tolist()}
+    pairs = [*zip(window.bottom, dy, strict=True), *zip(window.boundary, dz, strict=True)]
+    for row, (t0, v0) in enumerate(window.free):
+        total = 0.0
+        for (tau, u), delta in pairs:
+            if (int(tau), int(u)) not in touching:
+                continue
+            part = "bottom" if tau == 0 else "top" if tau == 3 else "lateral"
+            at = np.array([abs(t0 - tau)]), np.array([drawn.around.distance[v0, u]])
+            total += promised.bounds(part, *at)["sharp"][0] * np.linalg.norm(delta)
+        worst = max(worst, np.linalg.norm(after[row] - before[row]) / total)
+    assert spec.cells(0)[-1] == pytest.approx(worst, rel=1e-6)
 
 
 def test_instances_do_not_depend_on_how_many_or_on_the_workers():
