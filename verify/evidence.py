@@ -1,0 +1,84 @@
+"""Verdicts, and what they rest on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from ..graphs import InputError
+
+Word = Literal["proved", "supported", "refuted"]
+Level = Literal["quick", "full"]
+WORDS: tuple[Word, ...] = ("proved", "supported", "refuted")
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """What one check has found.
+
+    Parameters
+    ----------
+    verdict : {"proved", "supported", "refuted"}
+        ``proved``: symbolically, by a decision procedure, or by interval arithmetic over the whole
+        hypothesis range. ``supported``: no violation in `instances` instances. ``refuted``: an
+        explicit instance inside the hypotheses violates the claim, re-checked exactly.
+    engine : str
+        Which engine: ``symbolic``, ``decision``, ``interval``, ``exact``, ``search``.
+    reason : str
+        One or two sentences a reader can follow: the substitution, the boxes, the instance.
+    instance : dict
+        For a refutation: the numbers, as JSON values; rational ones as ``"p/q"``.
+    measured, bound : float or None
+        The two sides of the claim at the instance, or at the worst of those tried.
+    instances : int
+        For support: how many were tried.
+    details : dict
+        Whatever else makes the evidence checkable (boxes, certificates), as JSON values.
+    """
+
+    verdict: Word
+    engine: str
+    reason: str
+    instance: Mapping[str, Any] = field(default_factory=dict)
+    measured: float | None = None
+    bound: float | None = None
+    instances: int = 0
+    details: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if self.verdict not in WORDS:
+            raise InputError(f"verdict = {self.verdict!r}: one of {', '.join(WORDS)}")
+        if self.verdict == "refuted" and not self.instance:
+            raise InputError("a refutation needs its instance")
+        if self.verdict == "supported" and self.instances < 1:
+            raise InputError("support needs instances")
+        if not self.reason:
+            raise InputError("evidence needs a reason")
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The verdict on one claim.
+
+    Parameters
+    ----------
+    label, part : str
+        Of the claim.
+    verdict : {"proved", "supported", "refuted"}
+    rests_on : tuple of str
+        Keys of the refuted claims that its proof uses, directly or not.
+    evidence : Evidence
+        The strongest that the checks have found.
+    """
+
+    label: str
+    part: str
+    verdict: Word
+    rests_on: tuple[str, ...]
+    evidence: Evidence
+
+    @property
+    def key(self) -> str:
+        """The label, and the part in brackets if there is one."""
+        return f"{self.label}[{self.part}]" if self.part else self.label

@@ -1,0 +1,1 @@
+"""The verdicts as Markdown, JSON and one HTML page."""
