@@ -48,8 +48,8 @@ def excess(problem: Problem, x: Floats, best: Floats) -> float:
             (
                 problem.spatial,
                 edges,
-                now_best[problem.edges].reshape(len(edges), -1),
-                now[problem.edges].reshape(len(edges), -1),
+                now_best[problem.edges].reshape(len(edges), 2 * problem.n),
+                now[problem.edges].reshape(len(edges), 2 * problem.n),
             ),
         )
         for cost, members, base_w, w in families:

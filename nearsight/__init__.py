@@ -15,8 +15,10 @@ if TYPE_CHECKING:
     # A test compares the two.
     from . import bounds as bounds
     from . import graphs as graphs
+    from . import lowerbounds as lowerbounds
     from . import lpc as lpc
     from . import perturbation as perturbation
+    from . import verify as verify
     from .api import bound as bound
     from .api import plan as plan
     from .api import setting as setting
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
     from .bounds import Setting as Setting
     from .bounds import TierPlan as TierPlan
     from .bounds import catalogue as catalogue
+    from .flooring import lower_bound as lower_bound
     from .graphs import Growth as Growth
     from .graphs import InputError as InputError
     from .graphs import NearsightError as NearsightError
@@ -56,6 +59,7 @@ if TYPE_CHECKING:
     from .perturbation import sensitivity as sensitivity
     from .simulating import random_problem as random_problem
     from .simulating import simulate as simulate
+    from .verifying import verify_claims as verify_claims
 
     __version__: str
 
@@ -90,6 +94,8 @@ _EXPORTS: dict[str, str] = {
     "graphs": ".graphs",
     "instance": ".lpc",
     "load_problem": ".lpc",
+    "lower_bound": ".flooring",
+    "lowerbounds": ".lowerbounds",
     "lpc": ".lpc",
     "measure": ".measuring",
     "network_growth": ".graphs",
@@ -105,6 +111,8 @@ _EXPORTS: dict[str, str] = {
     "sensitivity": ".perturbation",
     "setting": ".api",
     "simulate": ".simulating",
+    "verify": ".verify",
+    "verify_claims": ".verifying",
 }
 
 

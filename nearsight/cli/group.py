@@ -10,12 +10,14 @@ from typing import Any
 import click
 
 _SHARED = {
+    "floor_tables",
     "group",
     "options",
     "measurement_tables",
     "output",
     "simulation_tables",
     "tables",
+    "verdict_tables",
 }  # modules of this folder that are no commands
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,8 +13,11 @@ from .options import FINITE, JSON, box_of, input_errors, options, strengths
 from .output import Progress, print_json
 
 if TYPE_CHECKING:
+    from ..graphs import Network
     from ..perturbation import Measurement, Searched
-    from ..perturbation.profile import Cell
+    from .measurement_tables import Row
+
+_FILE = click.Path(dir_okay=False, path_type=Path)
 
 _OPTIONS = [
     click.option("-k", type=int, required=True, help="Prediction horizon, >= 2."),
@@ -43,12 +48,12 @@ _OPTIONS = [
     click.option("--search", is_flag=True, help="Also search for worse costs within the class."),
     click.option(
         "--save",
-        type=click.Path(path_type=Path),
+        type=_FILE,
         help="With --search: write the worst instance to a problem file.",
     ),
     click.option(
         "--checkpoint",
-        type=click.Path(path_type=Path),
+        type=_FILE,
         help="Keep completed instances in a file, and go on after those it holds.",
     ),
 ]
@@ -56,7 +61,7 @@ _OPTIONS = [
 
 @click.command("measure", short_help="Measured perturbation decay beside the promised one.")
 @options(FINITE, strengths(required=True), _OPTIONS, JSON)
-def COMMAND(as_json: bool, box: str | None, search: bool, save: Path | None, **given: Any) -> None:
+def COMMAND(as_json: bool, search: bool, save: Path | None, **given: Any) -> None:
     """Measure sensitivities of random local problems, by distance in time and space.
 
     For every boundary part (top, bottom, lateral) and distance: the largest derivative
@@ -67,18 +72,25 @@ def COMMAND(as_json: bool, box: str | None, search: bool, save: Path | None, **g
     With --search the couplings of one local problem, around an agent with most
     neighbours, are also optimised to exceed the printed bounds.
     """
+    if given["graph"] is None:
+        raise click.UsageError("--graph needed: a file, or a family such as ring:13")
     if save is not None and not search:
         raise click.UsageError(f"--save {save}: it needs --search, which finds what to save")
+    for option, path in (("--save", save), ("--checkpoint", given["checkpoint"])):
+        _writable(option, path)  # rather than find out after hours
     progress = Progress()
     with input_errors():
+        from ..api import network
         from ..measuring import measure, search_sensitivity
 
-        found = measure(box=box_of(box), progress=progress.instances, **given)
-        worse = None
+        given |= {"box": box_of(given["box"])}
+        given["graph"] = network(given["graph"], given["seed"], given["clean"])
+        names = ("graph", "mu", "l_f", "l_T", "l_S", "k", "r", "n", "seed")
+        same = {name: given[name] for name in names}
         if search:
-            names = ("graph", "mu", "l_f", "l_T", "l_S", "k", "r", "n", "seed", "clean")
-            same = {name: given[name] for name in names}
-            worse = search_sensitivity(progress=progress.entries, **same)
+            _searchable(given["graph"], given["k"], given["r"], given["n"])
+        found = measure(progress=progress.instances, **given)
+        worse = search_sensitivity(progress=progress.entries, **same) if search else None
         if worse is not None and save is not None:
             worse.worst.found.save(save)
         progress.close()
@@ -92,32 +104,11 @@ def COMMAND(as_json: bool, box: str | None, search: bool, save: Path | None, **g
 
 def document(found: Measurement, worse: Searched | None = None) -> dict[str, Any]:
     """Return the JSON of `measure`."""
-    spec, slices = found.spec, found.slices
-    p = spec.parameters
-    rates: dict[str, Any] = {
-        "rho_T": found.fit.rho_T,
-        "rho_S": found.fit.rho_S,
-        "ci": {name: list(ci) if ci else None for name, ci in found.fit.ci.items()},
-        "cells": found.fit.cells,
-    }
-    if found.fit.reason:
-        rates["reason"] = found.fit.reason
-    violations = [
-        {"tier": tier, **_cell(cell), "bound": cell.bounds[tier]} for tier, cell in found.violations
-    ]
-    violations += [
-        {"tier": tier, "part": "whole boundary", "moved_over_promised": value}
-        for tier, value in found.jumps.items()
-        if value > 1
-    ]
-    if worse is not None:
-        violations += [
-            {"tier": tier, "part": part, "dt": dt, "ds": ds, "searched_max": value}
-            for tier, part, dt, ds, value in exceeded(found, worse)
-        ]
-    cells = worse.cells if worse is not None else {}
-    violations += [{"tier": tier, "part": "slice", "dt": d} for tier, d in slices.violations]
-    return {
+    from .measurement_tables import rows_of
+
+    spec, p = found.spec, found.spec.parameters
+    rows = rows_of(found, worse)
+    whole: dict[str, Any] = {
         "parameters": {"mu": p.mu, "l_f": p.l_f, "l_T": p.l_T, "l_S": p.l_S},
         "graph": {
             "source": spec.network.source,
@@ -130,45 +121,108 @@ def document(found: Measurement, worse: Searched | None = None) -> dict[str, Any
         "instances": found.instances,
         "seed": spec.seed,
         "styles": list(spec.styles),
-        "profiles": [
-            {**_cell(cell), **_searched(cell, cells), "bounds": cell.bounds}
-            for cell in found.profiles
-        ],
-        "slices": [
-            {
-                "dt": d,
-                "measured_max": value,
-                "bounds": {tier: values[j] for tier, values in slices.bounds.items()},
-            }
-            for j, (d, value) in enumerate(zip(slices.distance, slices.measured_max, strict=True))
-        ],
+        "profiles": [_profile(row) for row in rows],
+        "slices": _slices(found),
         "jumps": found.jumps,
-        "fit": rates,
-        "violations": violations,
+        "fit": _fit(found),
     }
+    if not whole["slices"]:
+        whole["slices_reason"] = "what one agent sees is too large"
+    endless = {tier: _ENDLESS for tier, value in found.jumps.items() if value == math.inf}
+    if endless:
+        whole["jumps_reasons"] = endless
+    if worse is not None:
+        whole["search"] = _search(worse)
+    return whole | {"violations": _violations(found, rows)}
 
 
-def exceeded(found: Measurement, worse: Searched) -> list[tuple[str, str, int, int, float]]:
-    """Return every (tier, part, dt, ds, value) whose bound the search exceeds."""
+_ENDLESS = "the bound is 0, what it bounds is not"
+
+
+def _profile(row: Row) -> dict[str, Any]:
+    found: dict[str, Any] = {**_place(row), "measured_max": row.measured, "instance": row.instance}
+    if row.measured is None:
+        found["reason"] = "in no instance measured"
+    if row.searched is not None:
+        found["searched_max"] = row.searched
+    return {**found, "bounds": row.bounds}
+
+
+def _slices(found: Measurement) -> list[dict[str, Any]]:
+    slices = found.slices
     return [
-        (tier, cell.part, cell.dt, cell.ds, value)
-        for cell in found.profiles
-        if (value := worse.cells.get((cell.part, cell.dt, cell.ds))) is not None
-        for tier, bound in cell.bounds.items()
-        if value > bound * (1 + 1e-9)
+        {
+            "dt": d,
+            "measured_max": value,
+            "bounds": {tier: values[j] for tier, values in slices.bounds.items()},
+        }
+        for j, (d, value) in enumerate(zip(slices.distance, slices.measured_max, strict=True))
     ]
 
 
-def _searched(cell: Cell, cells: dict[tuple[str, int, int], float]) -> dict[str, float]:
-    key = (cell.part, cell.dt, cell.ds)
-    return {"searched_max": cells[key]} if key in cells else {}
-
-
-def _cell(cell: Cell) -> dict[str, Any]:
-    return {
-        "dt": cell.dt,
-        "ds": cell.ds,
-        "part": cell.part,
-        "measured_max": cell.measured_max,
-        "instance": cell.instance,
+def _fit(found: Measurement) -> dict[str, Any]:
+    fit = found.fit
+    rates: dict[str, Any] = {
+        "rho_T": fit.rho_T,
+        "rho_S": fit.rho_S,
+        "ci": {name: list(ci) if ci else None for name, ci in fit.ci.items()},
+        "cells": fit.cells,
     }
+    reason = fit.reason
+    if reason is None and None in fit.ci.values():
+        reason = "one instance gives no interval"
+    return rates | ({"reason": reason} if reason else {})
+
+
+def _search(worse: Searched) -> dict[str, Any]:
+    tier, best = worse.worst.tier, worse.worst.found
+    names = best.problem.network.names
+    free, fixed = ([t, str(names[v or 0])] for t, v in (best.target.free, best.target.fixed))
+    found = {"agent": str(names[0]), "free": free, "fixed": fixed, "value": best.value}
+    found |= {"tier": tier, "bound": best.bounds[tier], "ratio": worse.worst.ratio}
+    return found | ({"reason": _ENDLESS} if worse.worst.ratio == math.inf else {})
+
+
+def _violations(found: Measurement, rows: list[Row]) -> list[dict[str, Any]]:
+    """Return every bound exceeded: by an instance, by the search, by a slice, by a jump."""
+    listed: list[dict[str, Any]] = []
+    for row in rows:
+        seen = {"measured_max": row.measured, "instance": row.instance}
+        for values, value in ((seen, row.measured), ({"searched_max": row.searched}, row.searched)):
+            listed += [
+                {"tier": tier, **_place(row), **values, "bound": row.bounds[tier]}
+                for tier in row.exceeded(value)
+            ]
+    listed += [{"tier": tier, "part": "slice", "dt": d} for tier, d in found.slices.violations]
+    jumped = [(tier, value) for tier, value in found.jumps.items() if value > 1]
+    return listed + [{"tier": tier, "part": "jump", "ratio": value} for tier, value in jumped]
+
+
+def _place(row: Row) -> dict[str, Any]:
+    return {"dt": row.dt, "ds": row.ds, "part": row.part}
+
+
+def _searchable(network: Network, k: int, r: int, n: int) -> None:
+    """Raise before the long part what a search would raise after it."""
+    from ..graphs import InputError
+    from ..lpc.information import information_set
+    from ..perturbation.response import LARGEST
+
+    if min(k - 1, r, n) < 1:
+        return  # `measure` says so
+    v = int(network.degrees.argmax())
+    unknowns = (k - 1) * n * len(information_set(network, 1, v, 1, r - 1).outer)
+    if unknowns > LARGEST:
+        raise InputError(
+            f"--search: k = {k}, r = {r}, n = {n} give {unknowns} unknowns around agent "
+            f"{network.names[v]}; at most {LARGEST} can be searched"
+        )
+
+
+def _writable(option: str, path: Path | None) -> None:
+    """Raise a usage error if a file cannot be written, without making it."""
+    if path is None:
+        return
+    place = path if path.exists() else path.parent
+    if not (path.parent.is_dir() and os.access(place, os.W_OK)):
+        raise click.UsageError(f"{option} {path}: a file in a folder to be written to is needed")

@@ -2,18 +2,59 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import click
+import numpy as np
 
-from .measure import exceeded
+from ..perturbation import Promised
+from ..perturbation.profile import PARTS, ROUNDING
 from .tables import number, show, table
 
 if TYPE_CHECKING:
     from ..perturbation import Measurement, Searched
-    from ..perturbation.profile import Cell
 
 _MARK = "!"
+
+
+@dataclass(frozen=True)
+class Row:
+    """One boundary part and distance: what was measured, what was searched, what is promised.
+
+    ``measured``, ``instance`` and ``searched`` are None where there was no such pair.
+    """
+
+    part: str
+    dt: int
+    ds: int
+    measured: float | None
+    instance: int | None
+    searched: float | None
+    bounds: dict[str, float]
+
+    def exceeded(self, value: float | None) -> tuple[str, ...]:
+        """Return the tiers whose bound a value exceeds by more than rounding explains."""
+        if value is None:
+            return ()
+        limit = value / (1 + ROUNDING)
+        return tuple(tier for tier, bound in self.bounds.items() if limit > bound)
+
+
+def rows_of(found: Measurement, worse: Searched | None = None) -> list[Row]:
+    """Return every part and distance that was measured or searched, in order."""
+    cells = {} if worse is None else dict(worse.cells)
+    rows = [
+        Row(c.part, c.dt, c.ds, c.measured_max, c.instance, cells.pop(key, None), c.bounds)
+        for c in found.profiles
+        for key in [(c.part, c.dt, c.ds)]
+    ]
+    promised = Promised(found.spec.parameters, found.spec.growth)
+    for (part, dt, ds), value in cells.items():  # searched, but in no instance measured
+        bounds = promised.bounds(part, np.array([dt]), np.array([ds]))
+        each = {tier: float(values[0]) for tier, values in bounds.items()}
+        rows.append(Row(part, dt, ds, None, None, value, each))
+    return sorted(rows, key=lambda row: (PARTS.index(row.part), row.dt, row.ds))
 
 
 def print_measurement(found: Measurement, worse: Searched | None = None) -> None:
@@ -26,8 +67,9 @@ def print_measurement(found: Measurement, worse: Searched | None = None) -> None
     )
     click.echo(f"mu = {p.mu:g}, l_f = {p.l_f:g}, l_T = {p.l_T:g}, l_S = {p.l_S:g}")
     click.echo(f"{found.instances} instances, seed {spec.seed}: {', '.join(spec.styles)}")
-    for part in dict.fromkeys(cell.part for cell in found.profiles):
-        _print_part(part, [cell for cell in found.profiles if cell.part == part], worse)
+    rows = rows_of(found, worse)
+    for part in dict.fromkeys(row.part for row in rows):
+        _print_part(part, [row for row in rows if row.part == part], worse is not None)
     _print_slices(found)
     ratios = ", ".join(f"{tier} {number(value)}" for tier, value in found.jumps.items())
     click.echo(f"finite jumps of whole boundaries, moved over promised: {ratios}")
@@ -36,33 +78,41 @@ def print_measurement(found: Measurement, worse: Searched | None = None) -> None
         ci = fit.ci[name]
         spread = f", 95 % interval {number(ci[0])} to {number(ci[1])}" if ci else ""
         click.echo(f"fitted {name} = {number(rate)}{spread}")
-    tiers = {tier for tier, _ in found.violations} | {t for t, _ in found.slices.violations}
+    tiers = {tier for row in rows for tier in _exceeded(row)}
+    tiers |= {tier for tier, _ in found.slices.violations}
     tiers |= {tier for tier, value in found.jumps.items() if value > 1}
     if worse is not None:
-        tiers |= {tier for tier, *_ in exceeded(found, worse)}
-        target = worse.worst.found.target
-        click.echo(
-            f"worst entry found: step {target.free[0]} of agent {target.free[1]} against step "
-            f"{target.fixed[0]} of agent {target.fixed[1]}, {number(worse.worst.ratio)} times the "
-            f"{worse.worst.tier} bound"
-        )
+        _print_search(worse)
     if tiers:
         click.echo(f"{_MARK} violated: {', '.join(sorted(tiers))}")
     else:
         click.echo("no bound is violated")
 
 
-def _print_part(part: str, cells: list[Cell], worse: Searched | None) -> None:
+def _exceeded(row: Row) -> set[str]:
+    return {*row.exceeded(row.measured), *row.exceeded(row.searched)}
+
+
+def _print_part(part: str, rows: list[Row], searched: bool) -> None:
     click.echo(f"\n{part} boundary: largest sensitivity to one variable")
-    tiers = list(cells[0].bounds)
-    more = ["searched"] if worse is not None else []
-    lines = table("dt", "ds", "measured", *more, *tiers)
-    for cell in cells:
-        seen = [number(worse.cells.get((part, cell.dt, cell.ds)))] if worse is not None else []
-        bad = cell.violated()
-        row = [number(cell.bounds[t]) + (f" {_MARK}" if t in bad else "") for t in tiers]
-        lines.add_row(str(cell.dt), str(cell.ds), number(cell.measured_max), *seen, *row)
+    tiers = list(rows[0].bounds)
+    lines = table("dt", "ds", "measured", *(["searched"] if searched else []), *tiers)
+    for row in rows:
+        bad = _exceeded(row)
+        seen = [number(row.measured), *([number(row.searched)] if searched else [])]
+        limits = [number(row.bounds[t]) + (f" {_MARK}" if t in bad else "") for t in tiers]
+        lines.add_row(str(row.dt), str(row.ds), *seen, *limits)
     show(lines)
+
+
+def _print_search(worse: Searched) -> None:
+    best = worse.worst.found
+    names = best.problem.network.names
+    ends = [f"step {t} of agent {names[v or 0]}" for t, v in (best.target.free, best.target.fixed)]
+    click.echo(
+        f"worst entry found around agent {names[0]}: {ends[0]} against {ends[1]}, "
+        f"{number(worse.worst.ratio)} times the {worse.worst.tier} bound"
+    )
 
 
 def _print_slices(found: Measurement) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from nearsight.bounds import Parameters
-from nearsight.graphs import InputError, parse_graph
+from nearsight.graphs import InputError, Network, parse_graph
 from nearsight.lpc import Controller, instance, simulate
 from nearsight.lpc.checkpoint import Checkpoint, identity
 from nearsight.lpc.excess import excess
@@ -75,6 +75,13 @@ def test_nearly_equal_costs_are_not_subtracted():
         assert excess(problem, best + 1e-8 * z, best) == pytest.approx(1e-16 * scale, rel=rel)
         plain = problem.cost(best + 1e-2 * z) - problem.cost(best)
         assert excess(problem, best + 1e-2 * z, best) == pytest.approx(plain, rel=1e-9)
+
+
+@pytest.mark.parametrize("spec", ["path:1", "isolated"])
+def test_networks_without_edges(spec):
+    network = parse_graph(spec) if spec == "path:1" else Network.from_edges(3, [])
+    run = simulate(instance(network, 4, P, seed=1), 2, 1)
+    assert 0 < run.ratio_minus_one < 0.1
 
 
 def test_nothing_to_pay():

@@ -1,0 +1,116 @@
+"""Grounded Laplacians: ``M = diag(g) + L``, solved to the last digits of every entry."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse.linalg import splu
+
+from ..graphs import InputError
+from ..lpc.arrays import Floats, Ints
+
+ROUNDS = 2  # of refinement: strong couplings cost digits in the factors
+
+
+@dataclass(frozen=True, eq=False)
+class Grounded:
+    r"""``x' M x = sum_i g_i x_i^2 + sum_e w_e (x_i - x_j)^2``, e = (i, j).
+
+    What is left of a row sum, ``g``, is kept as a number of its own, so that no diagonal cancels
+    against its row. ``M^{-1} >= 0`` entry by entry, and its triangular factors (no pivoting) have
+    one sign off the diagonal: for ``b >= 0`` they only add, and even entries far from the
+    support of b, as small as they are, come out to nearly full relative precision.
+
+    Parameters
+    ----------
+    ground : ndarray, shape (n,)
+        g, positive.
+    ends : ndarray of int, shape (m, 2)
+        The ends of every edge.
+    weight : ndarray, shape (m,)
+        w, nonnegative.
+    """
+
+    ground: Floats
+    ends: Ints
+    weight: Floats
+
+    def __post_init__(self) -> None:
+        if self.weight.shape != (len(self.ends),) or self.ends.shape[1:] != (2,):
+            raise InputError(f"{len(self.ends)} edges and {self.weight.shape} weights")
+        if not (np.isfinite(self.ground).all() and (self.ground > 0).all()):
+            raise InputError("the ground of every vertex is a finite number > 0")
+        if not (np.isfinite(self.weight).all() and (self.weight >= 0).all()):
+            raise InputError("the weight of every edge is a finite number >= 0")
+
+    @property
+    def size(self) -> int:
+        """The number of vertices, n."""
+        return len(self.ground)
+
+    @cached_property
+    def _incidence(self) -> sparse.csr_array:
+        m = len(self.ends)
+        rows, signs = np.repeat(np.arange(m), 2), np.tile([1.0, -1.0], m)
+        return sparse.csr_array((signs, (rows, self.ends.ravel())), shape=(m, self.size))
+
+    @cached_property
+    def matrix(self) -> sparse.csc_array:
+        """M, shape (n, n)."""
+        D = self._incidence
+        laplacian = D.T @ sparse.diags_array(self.weight) @ D
+        return sparse.csc_array(laplacian + sparse.diags_array(self.ground))
+
+    @cached_property
+    def _factors(self) -> Any:
+        return splu(
+            self.matrix,
+            permc_spec="MMD_AT_PLUS_A",
+            diag_pivot_thresh=0.0,
+            options={"SymmetricMode": True},
+        )
+
+    def solve(self, b: Floats) -> Floats:
+        """Return ``M^{-1} b`` for b of shape (n,) or (n, c)."""
+        x: Floats = self._factors.solve(b)
+        D, w, g = self._incidence, self.weight, self.ground
+        if b.ndim == 2:
+            w, g = w[:, None], g[:, None]
+        for _ in range(ROUNDS):
+            # by differences: no rounding of the size of the diagonal
+            x = x + self._factors.solve(b - g * x - D.T @ (w * (D @ x)))
+        return x
+
+    def energy(self, x: Floats) -> Floats:
+        """Return ``x' M x`` for each column of x, shape (n, c), as a sum of squares."""
+        step = self._incidence @ x
+        found: Floats = (self.ground[:, None] * x**2).sum(axis=0)
+        found = found + (self.weight[:, None] * step**2).sum(axis=0)
+        return found
+
+    def part(self, members: Ints) -> tuple[Grounded, Ints, Ints, Floats]:
+        """Return the principal part ``M_SS``, and the edges that leave S.
+
+        Returns
+        -------
+        part : Grounded
+            In the order of `members`; edges that leave S go to the ground.
+        inner, outer : ndarray of int
+            Of every edge that leaves: its end in S, as a place in `members`, and its other end.
+        weight : ndarray
+            Its weight.
+        """
+        place = np.full(self.size, -1)
+        place[members] = np.arange(len(members))
+        at = place[self.ends]
+        within, cut = (at >= 0).all(axis=1), (at >= 0).any(axis=1) & (at < 0).any(axis=1)
+        first = at[cut, 0] >= 0
+        inner = np.where(first, at[cut, 0], at[cut, 1])
+        outer = np.where(first, self.ends[cut, 1], self.ends[cut, 0])
+        weight = self.weight[cut]
+        ground = self.ground[members] + np.bincount(inner, weight, len(members))
+        return Grounded(ground, at[within], self.weight[within]), inner, outer, weight
