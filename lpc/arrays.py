@@ -57,6 +57,22 @@ def family(value: ArrayLike, trailing: int, name: str, *, infinite: bool = False
     return array
 
 
+def integer(value: object, name: str, least: int, most: int | None = None) -> int:
+    """Return a whole number within bounds as an int.
+
+    Raises
+    ------
+    InputError
+        If it is of another type (a float, a truth value), or out of bounds.
+    """
+    wanted = f"an integer >= {least}" if most is None else f"an integer from {least} to {most}"
+    if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer):
+        raise InputError(f"{name} = {value!r}: {wanted} is needed", name)
+    if value < least or (most is not None and value > most):
+        raise InputError(f"{name} = {value}: {wanted} is needed", name)
+    return int(value)
+
+
 def fits(array: Floats, H: int, count: int, name: str) -> None:
     """Raise `InputError` unless the leading axes are (1 or H, 1 or count)."""
     T, members = array.shape[:2]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
+import zlib
 from pathlib import Path
 from typing import BinaryIO
 
@@ -12,6 +12,7 @@ import numpy as np
 from ..graphs import InputError
 from .arrays import Floats
 from .controller import Controller
+from .identity import identity
 
 _MAGIC = "nearsight checkpoint 1"
 
@@ -20,9 +21,9 @@ class Checkpoint:
     """Actions appended to a file, step by step.
 
     The file holds one line of JSON that says which simulation it is of, then for every completed
-    step its actions, (N, n) numbers of 8 bytes, little-endian, and the largest error of one of
-    them. A step that was being written when
-    the program was killed is incomplete, and is computed again.
+    step its actions, (N, n) numbers of 8 bytes, little-endian, the largest error of one of them,
+    and a checksum of all these (CRC 32, as an integer of 8 bytes). A step that was being written
+    when the program was killed, or was damaged since, and all steps after it are computed again.
 
     Parameters
     ----------
@@ -43,17 +44,17 @@ class Checkpoint:
         header = json.dumps({"format": _MAGIC, **identity(controller)}, sort_keys=True)
         line = header.encode() + b"\n"
         size = problem.N * problem.n + 1
-        row = 8 * size
         self.done, self.errors = np.zeros((0, *self._shape)), np.zeros(0)
         try:
             if path.exists() and path.stat().st_size:
-                self._check(path, line)
-                steps = min((path.stat().st_size - len(line)) // row, problem.H)
-                values = np.fromfile(path, "<f8", steps * size, offset=len(line))
-                values = values.astype(np.float64).reshape(steps, size)
+                torn = self._check(path, line)
+                values = np.zeros((0, size)) if torn else _whole(path, len(line), size, problem.H)
+                steps = len(values)
                 self.done, self.errors = values[:, :-1].reshape(steps, *self._shape), values[:, -1]
                 self._file: BinaryIO = path.open("r+b")
-                self._file.truncate(len(line) + steps * row)
+                if torn:
+                    self._file.write(line)
+                self._file.truncate(len(line) + steps * 8 * (size + 1))
                 self._file.seek(0, 2)
             else:
                 self._file = path.open("wb")
@@ -64,7 +65,8 @@ class Checkpoint:
 
     def add(self, actions: Floats, error: float) -> None:
         """Append the next step, and leave none of it in memory."""
-        self._file.write(np.append(actions, error).astype("<f8").tobytes())
+        data = np.append(actions, error).astype("<f8").tobytes()
+        self._file.write(data + np.int64(zlib.crc32(data)).astype("<i8").tobytes())
         self._file.flush()
 
     def close(self) -> None:
@@ -72,11 +74,14 @@ class Checkpoint:
         self._file.close()
 
     @staticmethod
-    def _check(path: Path, line: bytes) -> None:
+    def _check(path: Path, line: bytes) -> bool:
+        """Return whether the file ends within its first line; refuse that of something else."""
         with path.open("rb") as file:
             found = file.readline(1 << 16)
         if found == line:
-            return
+            return False
+        if not found.endswith(b"\n") and line.startswith(found):
+            return True
         try:
             theirs = json.loads(found)
             kind = theirs.get("format") == _MAGIC
@@ -92,35 +97,12 @@ class Checkpoint:
         )
 
 
-def identity(controller: Controller) -> dict[str, object]:
-    """Return what tells one simulation from another, as JSON values.
-
-    The problem is recognised by a digest of its network, its x_0, its node minimisers, and of its
-    costs and constraints at trajectories drawn with a fixed seed, so that it works for every kind
-    of cost.
-    """
-    problem = controller.problem
-    digest = hashlib.sha256()
-    network = problem.network
-    for array in (network.indptr, network.indices, problem.x_0, controller.theta):
-        digest.update(np.ascontiguousarray(array).tobytes())
-    rng = np.random.default_rng(0)
-    scale = 1.0 + float(np.abs(controller.theta).max(initial=0.0))
-    agents = np.arange(problem.N)
-    for _ in range(2):
-        x = scale * rng.normal(size=(problem.H, problem.N, problem.n))
-        for part in problem.costs(x).values():
-            digest.update(part.tobytes())
-        for s, actions in enumerate(x):
-            t = np.full(problem.N, s + 1)
-            digest.update(problem.feasible.violation(t, agents, actions).tobytes())
-    return {
-        "problem": digest.hexdigest(),
-        "N": problem.N,
-        "n": problem.n,
-        "H": problem.H,
-        "k": controller.k,
-        "r": controller.r,
-        "method": controller.method,
-        "tolerance": controller.tolerance,
-    }
+def _whole(path: Path, start: int, size: int, most: int) -> Floats:
+    """Return the rows up to the first that is short or fails its checksum, shape (steps, size)."""
+    data, row, rows = path.read_bytes()[start:], 8 * (size + 1), []
+    for at in range(0, min(len(data) // row, most) * row, row):
+        body = data[at : at + row - 8]
+        if zlib.crc32(body) != int.from_bytes(data[at + row - 8 : at + row], "little"):
+            break
+        rows.append(np.frombuffer(body, "<f8").astype(np.float64))
+    return np.stack(rows) if rows else np.zeros((0, size))

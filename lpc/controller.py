@@ -9,7 +9,7 @@ from typing import Protocol, cast
 import numpy as np
 
 from ..graphs import InputError
-from .arrays import Floats
+from .arrays import Floats, integer
 from .information import Balls, check_sight
 from .locals import Locals
 from .minimisers import node_minimisers
@@ -83,7 +83,7 @@ class Controller:
             raise InputError(f"method = {self.method!r}: one of {', '.join(METHODS)}", "method")
         if not 1e-14 <= self.tolerance <= 1e-2:
             raise InputError(f"tolerance = {self.tolerance}: from 1e-14 to 1e-2", "tolerance")
-        if isinstance(self.workers, int):
+        if not isinstance(self.workers, Workers):
             object.__setattr__(self, "workers", Workers(self.workers))
         if self.method == "auto":
             object.__setattr__(self, "method", _suited(self.problem))
@@ -132,11 +132,16 @@ class Controller:
             If there is no such step, or the shape is another.
         """
         shape = (self.problem.N, self.problem.n)
-        if not 1 <= t <= self.problem.H:
-            raise InputError(f"t = {t}: the steps are 1..{self.problem.H}", "t")
-        before = np.asarray(before, dtype=np.float64)
-        if before.shape != shape:
-            raise InputError(f"before: shape {before.shape}; {shape} (agents, entries) is needed")
+        t = integer(t, "t", 1, self.problem.H)
+        before = np.asarray(before)
+        if before.shape != shape or before.dtype.kind not in "iuf":
+            raise InputError(
+                f"before: {before.dtype} of shape {before.shape}; real numbers of shape {shape} "
+                "(agents, entries) are needed"
+            )
+        before = before.astype(np.float64)
+        if not np.isfinite(before).all():
+            raise InputError("before: an action is not finite")
         return self._engine.step(t, before)
 
     @property

@@ -9,7 +9,7 @@ The file is what ``numpy.savez`` writes (a zip archive of ``.npy`` files), and i
     - ``"format"``: ``"nearsight-problem"``, and ``"version"``: 1;
     - ``"problem"``: an object with ``"H"``, ``"network"`` (an object with ``"indptr"``,
       ``"indices"``, ``"names"``, null where they are 0, 1, ..., ``"source"`` and
-      ``"transitive"``), ``"node"``, ``"temporal"``, ``"spatial"``, ``"feasible"`` and ``"x_0"``;
+      ``"node"``, ``"temporal"``, ``"spatial"``, ``"feasible"`` and ``"x_0"``;
     - ``"metadata"``: an object of any JSON values, not interpreted.
 
 ``a0``, ``a1``, ...
@@ -174,13 +174,14 @@ def _from_network(network: Network, arrays: Arrays) -> dict[str, Any]:
         "indices": encode(network.indices, arrays),
         "names": None if plain else list(network.names),
         "source": network.source,
-        "transitive": network.transitive,
     }
 
 
 def _to_network(tree: dict[str, Any], arrays: Arrays) -> Network:
     indptr, indices = (decode(tree[name], arrays) for name in ("indptr", "indices"))
+    for name, array in (("indptr", indptr), ("indices", indices)):
+        if array.dtype.kind not in "iu" or (array.size and not 0 <= array.max() < 2**31):
+            raise InputError(f"{name} of the network: integers from 0 to 2^31 - 1 are needed")
     names = range(len(indptr) - 1) if tree["names"] is None else tree["names"]
-    return Network(
-        indptr, indices, tuple(map(str, names)), str(tree["source"]), bool(tree["transitive"])
-    )
+    # that a graph looks the same from everywhere is no file's to vouch for
+    return Network(indptr, indices, tuple(map(str, names)), str(tree["source"]))

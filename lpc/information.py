@@ -9,7 +9,7 @@ import numpy as np
 from scipy import sparse
 
 from ..graphs import InputError, Network
-from .arrays import Ints
+from .arrays import Ints, integer
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,9 +159,8 @@ def information_set(network: Network, t: int, v: int, k: int, r: int) -> Informa
 
 def check_sight(k: int, r: int) -> None:
     """Raise `InputError` unless k is an integer >= 1 and r an integer >= 0."""
-    for name, value, least in (("k", k, 1), ("r", r, 0)):
-        if isinstance(value, bool) or int(value) != value or value < least:
-            raise InputError(f"{name} = {value}: an integer >= {least} is needed", name)
+    integer(k, "k", 1)
+    integer(r, "r", 0)
 
 
 def _product(t: int, steps: int, agents: Ints) -> Ints:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..graphs import InputError, Network
-from .arrays import Floats, Ints
+from .arrays import Floats, Ints, integer
 from .costs import Cost, Quadratic
 from .sets import Everywhere, FeasibleSet
 
@@ -61,9 +61,11 @@ class Problem:
     x_0: Floats = None  # type: ignore[assignment]
 
     def __post_init__(self) -> None:
-        if isinstance(self.H, bool) or int(self.H) != self.H or self.H < 1:
-            raise InputError(f"H = {self.H}: an integer >= 1 is needed", "H")
-        object.__setattr__(self, "H", int(self.H))
+        object.__setattr__(self, "H", integer(self.H, "H", 1))
+        for name, kind in (("network", Network), ("node", Cost), ("feasible", FeasibleSet)):
+            if not isinstance(getattr(self, name), kind):
+                given = type(getattr(self, name)).__name__
+                raise InputError(f"{name}: a {given} where a {kind.__name__} is needed", name)
         n = self.node.size
         for name in ("temporal", "spatial"):
             if getattr(self, name) is None:
@@ -133,6 +135,8 @@ class Problem:
         dict
             ``"node"``, ``"temporal"`` and ``"spatial"``, each of shape (H,).
         """
+        if np.shape(x) != (self.H, self.N, self.n):
+            raise InputError(f"x: shape {np.shape(x)}; {(self.H, self.N, self.n)} is needed", "x")
         found = {name: np.zeros(self.H) for name in ("node", "temporal", "spatial")}
         agents, edges = np.arange(self.N), np.arange(len(self.edges))
         before = self.x_0
@@ -147,7 +151,13 @@ class Problem:
         return found
 
     def cost(self, x: Floats) -> float:
-        """Return the total cost of a trajectory of shape (H, N, n)."""
+        """Return the total cost of a trajectory of shape (H, N, n).
+
+        Raises
+        ------
+        InputError
+            If it has another shape.
+        """
         return float(sum(part.sum() for part in self.costs(x).values()))
 
 

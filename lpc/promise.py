@@ -39,7 +39,7 @@ def promise(problem: Problem, k: int, r: int) -> Promise:
     """Return the guarantees that hold for LPC with k and r on this problem.
 
     The constants are derived from the problem, raised or lowered by what rounding may hide. What
-    the author of a cost claims is tested at random points first.
+    the author of a cost claims, and that it is nonnegative, is tested at random points first.
 
     Raises
     ------
@@ -47,7 +47,7 @@ def promise(problem: Problem, k: int, r: int) -> Promise:
         If a claim about a cost is refuted.
     """
     found = constants(problem)
-    if not found.certified:
+    if not problem.quadratic:  # a quadratic cost is nonnegative by its form, nothing is claimed
         check_claims(problem)
     if k < 2 or r < 1:
         return Promise(found, (), None, "at k = 1 or r = 0 nothing is free: no theorem")

@@ -83,7 +83,8 @@ class Reflections:
         onto : Projection
             The projection for A points of s numbers.
         tolerance : float
-            The error to reach, relative to the largest entry of a solution.
+            The error to reach, relative to the largest entry of a solution, or of ``2 J q/rho``
+            if that is larger: where a solution is 0 the scale is that of what pulls at it.
 
         Returns
         -------
@@ -104,6 +105,7 @@ class Reflections:
         factor = 0.5 * self.factor[which] * np.sqrt(q.shape[1])
         matrix = self._matrices(which)
         pull = (np.matmul(matrix, q[:, :, None])[:, :, 0] + q) / self.rho[which][:, None]
+        reach = np.abs(pull).max(axis=1, initial=0.0)
         s, w, p = np.zeros_like(q), np.empty_like(q), np.empty_like(q)
         for iteration in range(1, LIMIT + 1):
             # one product a program, so that its sum has the same order whatever lies beside it
@@ -115,7 +117,7 @@ class Reflections:
             if iteration >= FIRST and iteration % EVERY == 0:
                 s -= w  # |s - (2 p - w)| = 2 |p - (s + w)/2|
                 bound = factor * np.abs(s, out=s).max(axis=1, initial=0.0)
-                size = np.abs(p).max(axis=1, initial=0.0)
+                size = np.maximum(np.abs(p).max(axis=1, initial=0.0), reach)
                 done = left & ((bound <= tolerance * size) | (iteration == LIMIT))
                 if done.any():
                     x[active[done]], error[active[done]] = p[done], bound[done]
@@ -124,7 +126,7 @@ class Reflections:
                         break
                     if 2 * left.sum() < len(left):
                         active, which, onto = active[left], which[left], onto.some(left)
-                        w, pull, factor = w[left], pull[left], factor[left]
+                        w, pull, factor, reach = w[left], pull[left], factor[left], reach[left]
                         matrix = self._matrices(which)
                         s, p, left = np.empty_like(w), np.empty_like(w), np.ones(len(w), dtype=bool)
             s, w = w, s

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TypeVar
 
-from ..graphs import InputError
+from .arrays import integer
 
 S = TypeVar("S")
 T = TypeVar("T")
@@ -35,8 +35,7 @@ class Workers:
     count: int = 1
 
     def __post_init__(self) -> None:
-        if isinstance(self.count, bool) or int(self.count) != self.count or self.count < 0:
-            raise InputError(f"workers = {self.count}: an integer >= 0 is needed", "workers")
+        integer(self.count, "workers", 0)
         if self.count == 0:
             object.__setattr__(self, "count", os.cpu_count() or 1)
 

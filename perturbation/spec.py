@@ -67,10 +67,10 @@ class Spec:
 
     def __post_init__(self) -> None:
         check_sight(self.k, self.r)
-        if self.k < 2 or self.r < 1:
-            raise InputError(
-                f"k = {self.k}, r = {self.r}: with k >= 2 and r >= 1 something is free", "k"
-            )
+        for name, value, least in (("k", self.k, 2), ("r", self.r, 1)):
+            if value < least:
+                text = f"{name} = {value}: {name} >= {least} is needed, below nothing is free"
+                raise InputError(text, name)
         there = styles()
         chosen = self.styles or tuple(there)
         for style in chosen:
@@ -79,8 +79,8 @@ class Spec:
         object.__setattr__(self, "styles", chosen)
         if self.seed < 0:
             raise InputError(f"seed = {self.seed}: an integer >= 0 is needed", "seed")
-        if not self.spread > 0:
-            raise InputError(f"spread = {self.spread}: a number > 0 is needed", "spread")
+        if not 0 < self.spread < np.inf:
+            raise InputError(f"spread = {self.spread}: a finite number > 0 is needed", "spread")
 
     def draw(self, i: int) -> Drawn:
         """Return instance i."""

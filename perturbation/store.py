@@ -40,7 +40,10 @@ class Store:
         self._file: BinaryIO | None = None
         if path is None:
             return
-        line = json.dumps({"format": _MAGIC, **header}, sort_keys=True).encode() + b"\n"
+        line = (
+            json.dumps({"format": _MAGIC, "numbers": size, **header}, sort_keys=True).encode()
+            + b"\n"
+        )
         try:
             if path.exists() and path.stat().st_size:
                 whole = self._read(path, line)

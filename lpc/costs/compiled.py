@@ -79,7 +79,7 @@ class Compiled:
     def hessian(self, t: Ints, i: Ints, w: Floats) -> Floats:
         """Return their Hessians, exactly symmetric, shape (m, p, s, s)."""
         p, s = len(self.texts), len(self.variables)
-        half = self._run(2, t, i, w).reshape(len(w), p, -1)
+        half = self._run(2, t, i, w).reshape(len(w), p, s * (s + 1) // 2)
         found = np.empty((len(w), p, s, s))
         rows, columns = np.triu_indices(s)
         found[:, :, rows, columns] = half

@@ -77,7 +77,10 @@ def print_measurement(found: Measurement, worse: Searched | None = None) -> None
     for name, rate in (("rho_T", fit.rho_T), ("rho_S", fit.rho_S)):
         ci = fit.ci[name]
         spread = f", 95 % interval {number(ci[0])} to {number(ci[1])}" if ci else ""
-        click.echo(f"fitted {name} = {number(rate)}{spread}")
+        if rate is not None:
+            click.echo(f"fitted {name} = {number(rate)}{spread}")
+    if fit.reason:
+        click.echo(fit.reason)
     tiers = {tier for row in rows for tier in _exceeded(row)}
     tiers |= {tier for tier, _ in found.slices.violations}
     tiers |= {tier for tier, value in found.jumps.items() if value > 1}

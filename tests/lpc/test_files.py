@@ -84,7 +84,7 @@ def test_round_trip(problem, tmp_path):
     for part in ("node", "temporal", "spatial", "feasible", "x_0"):
         assert same(getattr(problem, part), getattr(again, part)), part
     assert type(again.feasible) is type(problem.feasible)
-    for part in ("indptr", "indices", "names", "source", "transitive"):
+    for part in ("indptr", "indices", "names", "source"):
         assert same(getattr(problem.network, part), getattr(again.network, part)), part
     x = RNG.normal(size=(problem.H, problem.N, problem.n))
     assert same(problem.costs(x), again.costs(x))

@@ -106,7 +106,7 @@ def test_a_checkpoint_is_resumed_bit_for_bit(tmp_path):
     whole, file = simulate(problem, 3, 2), tmp_path / "steps"
     simulate(problem, 3, 2, checkpoint=file)
     full = file.read_bytes()
-    header, row = full.index(b"\n") + 1, 8 * 26
+    header, row = full.index(b"\n") + 1, 8 * 27
     for steps, torn in ((0, 0), (4, 0), (4, 77), (9, 0)):
         file.write_bytes(full[: header + steps * row + torn])
         calls = Calls()

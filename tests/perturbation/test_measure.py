@@ -282,11 +282,12 @@ def test_one_distance_gives_no_rate():
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"k": 1}, "with k >= 2 and r >= 1"),
-        ({"r": 0}, "with k >= 2 and r >= 1"),
+        ({"k": 1}, "k = 1: k >= 2 is needed"),
+        ({"r": 0}, "r = 0: r >= 1 is needed"),
         ({"styles": ("magic",)}, "style = 'magic': one of attraction"),
         ({"seed": -1}, "seed = -1"),
         ({"spread": 0.0}, "spread = 0.0"),
+        ({"spread": np.inf}, "spread = inf"),
     ],
 )
 def test_bad_specs(change, words):
