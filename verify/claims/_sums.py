@@ -30,7 +30,7 @@ def cauchy_schwarz() -> Decision:
 
 
 def geometric(name: str = "p") -> Decision:
-    """Return the step of ``1 + p + ... + p^n <= 1/(1-p)`` for ``0 <= p < 1``; `name` is what p stands for."""
+    """Return the step of ``1 + p + ... + p^n <= 1/(1-p)`` for ``0 <= p < 1``; p is `name`."""
     return Decision(
         ("p", "S"),
         lambda p, S: ([p >= 0, p < 1, S >= 1, S * (1 - p) <= 1], (1 + p * S) * (1 - p), 1),

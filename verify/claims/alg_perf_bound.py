@@ -116,11 +116,13 @@ CLAIMS: tuple[Claim, ...] = (
                 lambda: (one_step()[0], 2 * ONE_STEP["l_T"] * Q(1, 11)),
                 ONE_STEP,
                 "One agent, t = H, i = 1, node cost x^2/2, temporal cost (p x_t - q x_{t-1})^2/2 "
-                "with p^2 + q^2 <= l_T, mu = 1: the last step follows the one before by pq/(1+p^2), "
+                "with p^2 + q^2 <= l_T, mu = 1: the last step follows the one before by "
+                "pq/(1+p^2), "
                 "rho_G = 1/11, C_G = 11/25",
             ),
         ),
         kind="step",
+        uses=("thm:global-exp-decay",),
         repaired="with the sharp C_G = a/(2 gamma_T sqrt(1+a)), or the repaired one",
     ),
     Claim(
@@ -134,10 +136,11 @@ CLAIMS: tuple[Claim, ...] = (
                 ONE_STEP,
                 "One agent, tau = t = H, node cost x^2/2, temporal cost (p x_t - q x_{t-1})^2/2 "
                 "with p^2 + q^2 <= l_T, mu = 1: x_t* = pq/(1+p^2) x_{t-1}, C_0 = 1, rho_G = 1/11. "
-                "It fails for all 0 < l_T/mu < 0.59...: there the sharp C_G exceeds C_0",
+                "It fails for all 0 < l_T/mu < 0.61: there the sharp C_G exceeds C_0",
             ),
         ),
         kind="step",
+        uses=("thm:global-exp-decay",),
         repaired="with C_0 = max(1, C_G) for the repaired C_G = c(1+2a) a/(2 gamma_T)",
     ),
     Claim(

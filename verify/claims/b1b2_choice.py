@@ -72,7 +72,7 @@ def _exponential() -> tuple[Fraction, Fraction]:
 
 def _ring() -> tuple[Fraction, Fraction]:
     h = (1, 2, 2)  # of a ring of 5
-    here = 8 * sum(Fraction(n, 2**q) for q, n in enumerate(h))
+    here = 8 * sum((Fraction(n, 2**q) for q, n in enumerate(h)), Fraction(0))
     D = Fraction(2)
     return max(here, D / 2), max(Fraction(16), D**3 * (1 - 1 / (4 * D**2)))
 

@@ -33,6 +33,13 @@ def smallest(constants: dict[str, Fraction], moved: str) -> Fraction:
     return response(["now"], pairs, moved, constants["mu"])["now"]
 
 
+def gamma(y: Fraction) -> Fraction:
+    """Return ``g(y)`` at a point where it is rational."""
+    from ...bounds.decay import g
+
+    return exact(g(rational(y)))
+
+
 def printed(constants: dict[str, Fraction]) -> Any:
     """Return the printed constants at Delta = 1, exactly."""
     from ...bounds.local_bound import local_stated
@@ -64,8 +71,11 @@ def _scaled() -> tuple[Any, Any]:
     import sympy
 
     p, q, s, mu = sympy.symbols("p q s mu", positive=True)
-    constant = lambda l_T, l_S, mu: 2 * sympy.sqrt(l_S * l_T) / mu  # noqa: E731
-    return constant(s * p**2, s * q**2, s * mu), constant(p**2, q**2, mu)
+
+    def constant(scale: Any) -> Any:
+        return 2 * sympy.sqrt((scale * p**2) * (scale * q**2)) / (scale * mu)
+
+    return constant(s), constant(sympy.Integer(1))
 
 
 CLAIMS: tuple[Claim, ...] = (
@@ -83,7 +93,7 @@ CLAIMS: tuple[Claim, ...] = (
                 "(l_T/2)/(mu + l_T + l_S/2) = 64/273; promised is C_2 rho_T = 2/9 * 1/2",
             ),
         ),
-        uses=tuple(f"{LABEL}:e{i}" for i in (3, 4)) + ("apx:adding-constraints",),
+        uses=(f"{LABEL}:e3", f"{LABEL}:e4", "apx:adding-constraints"),
         repaired=f"{LABEL}[r]: C_1 and C_2 of the mended argument, the same rates.",
     ),
     Claim(

@@ -51,8 +51,10 @@ def _scaled() -> tuple[Any, Any]:
 
 
 def _two_rings() -> tuple[Fraction, Fraction]:
-    total = [sum(Fraction(n, 2**q) for q, n in enumerate(h)) for h in ((1, 2, 2), (1, 2))]
-    return 4 * total[0] / 24, 4 * total[1] / 24
+    five, three = (
+        sum((Fraction(n, 2**q) for q, n in enumerate(h)), Fraction(0)) for h in ((1, 2, 2), (1, 2))
+    )
+    return 4 * five / 24, 4 * three / 24
 
 
 CLAIMS: tuple[Claim, ...] = (
@@ -72,8 +74,17 @@ CLAIMS: tuple[Claim, ...] = (
                 nudge=0.1,
             ),
         ),
-        uses=("le:foc", "le: H-inverse", "thm: l-power", "le:J-bound", "le:final-step",
-              "le:final-step[a]", f"{LABEL}[a]", f"{LABEL}[b]", "apx:adding-constraints"),
+        uses=(
+            "le:foc",
+            "le: H-inverse",
+            "thm: l-power",
+            "le:J-bound",
+            "le:final-step",
+            "le:final-step[a]",
+            f"{LABEL}[a]",
+            f"{LABEL}[b]",
+            "apx:adding-constraints",
+        ),
     ),
     Claim(
         LABEL,
@@ -108,7 +119,11 @@ CLAIMS: tuple[Claim, ...] = (
         "mu >= 8 a~ l_T implies mu >= 2 l_T (with mu > 2 l_T if l_T > 0): the condition of "
         "le: H-inverse.",
         "a~ >= h(0) = 1",
-        (Nonnegative(_series, "a~ = 1 + w, mu = 8 a~ l_T + m; the difference is (6 + 8 w) l_T + m"),),
+        (
+            Nonnegative(
+                _series, "a~ = 1 + w, mu = 8 a~ l_T + m; the difference is (6 + 8 w) l_T + m"
+            ),
+        ),
         part="c",
         kind="step",
     ),

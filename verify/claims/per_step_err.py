@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction as Q
+
 import numpy as np
 
 from ..claim import Claim
@@ -72,7 +73,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         kind="lemma",
-        uses=("thm:per-step-err:e3",),
+        uses=("thm:per-step-err:e3", "thm:networked-exp-decay", "thm:global-exp-decay"),
         repaired="the same with the repaired C_1 and C_G: thm:per-step-err[repaired]",
     ),
     Claim(
@@ -93,7 +94,13 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         part="repaired",
         kind="lemma",
-        uses=(*STEPS, "thm:per-step-err:e2", "thm:per-step-err:e2-2"),
+        uses=(
+            *STEPS,
+            "thm:per-step-err:e2",
+            "thm:per-step-err:e2-2",
+            "thm:networked-exp-decay[r]",
+            "thm:global-exp-decay[r]",
+        ),
     ),
     Claim(
         "thm:per-step-err:e1:s1",
@@ -165,11 +172,18 @@ CLAIMS: tuple[Claim, ...] = (
             Decision(
                 ("least", "slope", "mu", "D", "f"),
                 lambda least, slope, mu, D, f: (
-                    [least >= 0, mu > 0, D >= 0, slope >= 0, f >= least + slope * D + mu * D * D / 2],
+                    [
+                        least >= 0,
+                        mu > 0,
+                        D >= 0,
+                        slope >= 0,
+                        f >= least + slope * D + mu * D * D / 2,
+                    ],
                     mu * D * D / 2,
                     f,
                 ),
-                "f(x) >= f(theta) + slope D + mu D^2/2 with slope >= 0 along x - theta, as theta is "
+                "f(x) >= f(theta) + slope D + mu D^2/2 with slope >= 0 along x - theta, as "
+                "theta is "
                 "the minimiser (over R^n or over the feasible set)",
                 false=(
                     lambda least, slope, mu, D, f: (
@@ -202,7 +216,12 @@ def _counts(rng: np.random.Generator) -> Trial:
     C_3 = sum((growth.h(q) * weights[q] for q in range(r + 1)), Q(0))
     rim = sum(z[u] for v in range(len(z)) for u in range(len(z)) if d[v, u] == r)
     ball = sum(
-        (z[u] * weights[int(d[v, u])] for v in range(len(z)) for u in range(len(z)) if d[v, u] <= r),
+        (
+            z[u] * weights[int(d[v, u])]
+            for v in range(len(z))
+            for u in range(len(z))
+            if d[v, u] <= r
+        ),
         Q(0),
     )
     left = max(Q(rim, growth.h(r)) if growth.h(r) else Q(rim), ball / C_3)

@@ -85,16 +85,17 @@ class Decision(Check):
         import z3
 
         seconds = self.seconds * (1 if level == "quick" else 6)
-        solver = z3.SolverFor("QF_NRA")
+        context = z3.Context()  # of its own: the answer does not depend on what was asked before
+        solver = z3.SolverFor("QF_NRA", ctx=context)
         solver.set("timeout", int(1000 * seconds))
-        free = [z3.Real(name) for name in self.variables]
+        free = [z3.Real(name, context) for name in self.variables]
         terms = list(free)
         for name, radicand in self.roots.items():
-            root = z3.Real(name)
+            root = z3.Real(name, context)
             solver.add(root >= 0, root * root == radicand(*terms))
             terms.append(root)
         hypotheses, left, right = self.statement(*terms)
-        solver.add(*(z3.BoolVal(h) if isinstance(h, bool) else h for h in hypotheses))
+        solver.add(*(z3.BoolVal(h, context) if isinstance(h, bool) else h for h in hypotheses))
         if solver.check() == z3.unsat:
             raise RuntimeError(f"the hypotheses contradict each other ({self.reason})")
         solver.add(left >= right if self.strict else left > right)

@@ -84,7 +84,7 @@ class Boxes(Check):
         Raises
         ------
         RuntimeError
-            If boxes are left over when their largest number is reached.
+            If boxes are left over when their number reaches `quick` or `full`.
         """
         from flint import ctx
 
@@ -118,7 +118,7 @@ class Boxes(Check):
                 lowest = min(lowest, float(whole.lower()))
                 continue
             if seen + len(todo) >= limit:
-                raise RuntimeError(self._undecided(box, seen, whole))
+                raise RuntimeError(self._undecided(box, limit, whole))
             for half in box.halves(steep):
                 heapq.heappush(todo, (value, pushed, half))
                 pushed += 1
@@ -137,12 +137,12 @@ class Boxes(Check):
             },
         )
 
-    def _undecided(self, box: Box, seen: int, whole: Any) -> str:
+    def _undecided(self, box: Box, limit: int, whole: Any) -> str:
         where = ", ".join(
             f"{name} in [{float(a):.6g}, {float(b):.6g}]"
             for name, (a, b) in zip(self.ranges, box.sides, strict=True)
         )
-        return f"not decided after {seen} boxes: {whole} for {where} ({self.reason})"
+        return f"not decided with {limit} boxes: {whole} for {where} ({self.reason})"
 
     def _refutation(self, box: Box, seen: int) -> Evidence:
         """Return the simplest rational point of the box that is certainly negative."""

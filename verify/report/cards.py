@@ -78,8 +78,8 @@ def card(report: Report, claim: Claim, anchors: dict[str, str]) -> str:
     if claim.uses:
         named = ", ".join(link(key, anchors) for key in claim.uses)
         parts.append(f'<p class="uses"><b>Uses</b> {named}</p>')
-    took = report.seconds.get(claim.key)
-    time = f" <small>{number(took)} s</small>" if took is not None else ""
+    took = report.seconds.get(claim.key, 0.0)
+    time = f" <small>{took:.1f} s</small>" if took > 0.05 else ""
     command = escape(replay(claim, report))
     parts.append(f'<p class="again"><b>Again</b> <code>{command}</code>{time}</p></article>')
     return _linked("".join(parts), anchors)

@@ -10,7 +10,7 @@ from ..run import uses
 from .layout import layout
 from .words import SIGNS, word_of
 
-WIDE, HIGH, GAP, ROW, SIGHT = 204, 24, 52, 33, 29
+WIDE, HIGH, GAP, ROW, SIGHT = 204, 24, 42, 33, 29
 _LETTERS = 26  # of a key fit into its box
 
 
@@ -38,7 +38,7 @@ def picture(report: Report, anchors: dict[str, str]) -> str:
         parts.append(_caption(width - 2, 14, "→ what builds on others", "end"))
     if found.alone:
         step = WIDE + 12
-        fit = max(int((width + 12) // step), 3)
+        fit = min(max(int((width + 12) // step), 3), 8)
         width = max(width, min(fit, len(found.alone)) * step - 8)
         parts.append(_caption(2, below + 14, "Claims that neither use another nor are used"))
         for i, key in enumerate(found.alone):

@@ -16,8 +16,8 @@ _GREEK = re.compile(
     + r")(?![a-z])"
 )
 _SCRIPT = re.compile(
-    r"(?<=[\w)\]*|‖}′'Σ∏→>])([_^])"
-    r"(?:\{([^{}]*)\}|(\([^()]*\)|[-−+]?[A-Za-z0-9\u0370-\u03ff∞]+\*?|\*))"
+    r"(?<=[\w\u0303)\]*|‖}′'Σ∏→>])([_^])"
+    r"(?:\{([^{}]*)\}|([-+]?\([^()]*\)|[-+]?[A-Za-z0-9\u0370-\u03ff∞]+|\*))"
 )
 _SIGNS = (
     *(("<=", "≤"), (">=", "≥"), ("!=", "≠"), ("->", "→"), ("||", "‖"), ("...", "…")),
@@ -45,6 +45,7 @@ def plain_html(text: str) -> str:
     text = re.sub(r"(?<![A-Za-z])sqrt\b ?", "√", text)
     text = re.sub(r"(?<![A-Za-z])(oo|infinity)(?![A-Za-z])", "∞", text)
     text = _GREEK.sub(lambda found: GREEK[found[1]], text)
+    text = re.sub(r"(?<![A-Za-z])([A-Za-z\u0370-\u03ff])~", "\\1\u0303", text)
     text = escape(text, quote=False)
     before = None
     while before != text:  # indices within exponents first
