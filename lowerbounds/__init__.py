@@ -1,36 +1,56 @@
 """What can nobody beat? Lower bounds for any decentralised online algorithm, with instances."""
 
 from .asymmetric import Asymmetric, asymmetric, asymmetric_excess
+from .augmentation import Augmented, PrintedRates, augmentation, printed_rates
 from .claimed import Claimed
+from .climb import Searched, search_couplings
+from .constrained import Constrained, search_constrained
 from .floor import Floor, floor
 from .infinite import infinite_excess
 from .joint import Joint
 from .lemmas import central_binomial, entropy
 from .ring import Ring
+from .sandwich import Row, Sandwich, Violation, sandwich, write_csv
 from .sources import Charges
 from .spatial import Spatial
 from .stated import Stated, stated_temporal_excess
 from .team import conditional_policy, realisation, team_policy
 from .temporal import Temporal
+from .worst_case import WorstCase, worst_case
 
 __all__ = [
     "Asymmetric",
+    "Augmented",
     "Charges",
     "Claimed",
+    "Constrained",
     "Floor",
     "Joint",
+    "PrintedRates",
     "Ring",
+    "Row",
+    "Sandwich",
+    "Searched",
     "Spatial",
     "Stated",
     "Temporal",
+    "Violation",
+    "WorstCase",
     "asymmetric",
     "asymmetric_excess",
+    "augmentation",
     "central_binomial",
     "conditional_policy",
     "entropy",
     "floor",
     "infinite_excess",
+    "printed_rates",
     "realisation",
+    "sandwich",
+    "search_constrained",
+    "search_couplings",
     "stated_temporal_excess",
     "team_policy",
+    "worst_case",
+    "write_csv",
 ]

@@ -82,7 +82,7 @@ class Energy:
             ),
             _couplings(problem, temporal, spatial),
             scatter(first, first, Q, size),
-            scatter(first, first, np.linalg.inv(Q), size),
+            scatter(first, first, np.asarray(np.linalg.inv(Q), dtype=np.float64), size),
         )
 
     @property

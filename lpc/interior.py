@@ -17,7 +17,7 @@ from .terms import Terms
 
 LIMIT = 300  # steps; the strength falls tenfold in most of them
 PATIENCE = 25  # steps without progress before a copy gives up
-TIRED = 6  # how many of them one counts at the least strength
+TIRED = 9  # how many of them one counts at the least strength
 SHARE = 0.1  # the next strength, as a part of the last
 NEAR = 10.0  # how far products may be from the strength, as a factor, when it falls
 WIDE = 100.0  # how far they may ever be
@@ -89,23 +89,27 @@ def follow(
         good |= ~done & close & (wrong <= goal)
         done |= good
         stuck = ~done & (slow >= PATIENCE)
+        hidden = rounding(terms, fixed, state.x) + state.noise
+        floor = 100 * copies.total(hidden**2 / m)
         if stuck.any():  # at the floor of rounding, or for no good reason
-            hidden = rounding(terms, fixed, state.x) + state.noise
-            floor = 100 * copies.total(hidden**2 / m)
             close = (gap <= goal + 2 * blur) if strength == 0 else (off <= 1e-6 * strength)
             good |= stuck & close & (wrong <= goal + floor)
         done |= stuck
         if done.all():
             break
         lowest = np.maximum(np.maximum(goal, blur) / (2 * constraints), strength)
+        above = target > (1.5 * lowest if strength == 0 else lowest)
         state, size = _step(terms, fixed, copies, state, target, done)
-        central = (size >= 0.5) & (state.spread(copies, target) <= NEAR)
-        falls = (central | (size == 0)) & (target > lowest)
-        target = np.where(falls, np.maximum(SHARE * target, lowest), target)
         after = copies.total(norms(state.residual) ** 2 / m)
-        better = falls | (after <= 0.5 * record)
+        if strength > 0:
+            after += copies.least(-state.distance(strength)) ** 2
+        long = (size >= 0.5) | (after <= floor)  # no step is long where all is rounding
+        central = long & (state.spread(copies, target) <= NEAR)
+        falls = (central | (size == 0)) & above
+        target = np.where(falls, np.maximum(SHARE * target, lowest), target)
+        better = falls | (after < 0.5 * record)
         record = np.where(falls, np.inf, np.where(better, after, record))
-        slow = np.where(better, 0, slow + np.where(target > lowest, 1, TIRED))
+        slow = np.where(better, 0, slow + np.where(~above & (long | (size == 0)), TIRED, 1))
         taken += ~done
     return _certified(terms, fixed, copies, state, taken, good)
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..graphs import NearsightError
 from .arrays import Floats, Ints, at
+from .certify import norms
 from .costs import Quadratic
 from .problem import Problem
 from .sets import Box, Everywhere
@@ -13,6 +15,7 @@ from .solve import solve
 from .terms import Pairs, Terms
 
 CHUNK = 20_000  # actions at a time
+ACCEPTED = 1e-9  # relative error, proven, of a minimiser whose iteration ended before its goal
 
 
 def node_minimisers(problem: Problem) -> Floats:
@@ -27,6 +30,8 @@ def node_minimisers(problem: Problem) -> Floats:
     ------
     InputError
         If the sets have no projection and one of them has no interior.
+    NearsightError
+        If the iteration for a minimiser got stuck; the message names its step and agent.
 
     References
     ----------
@@ -85,7 +90,17 @@ def _iterated(problem: Problem, t: Ints, v: Ints) -> Floats:
     start = np.zeros((len(t), n))
     if not problem.feasible.everywhere and not problem.feasible.projectable:
         start = np.broadcast_to(problem.feasible.interior(t, v), (len(t), n))
-    return solve(alone(problem, t, v), np.zeros((0, n)), start=start, tolerance=1e-13).x
+    found = solve(alone(problem, t, v), np.zeros((0, n)), start=start, tolerance=1e-13)
+    scale = norms(found.x) + norms(found.x - start)
+    close = found.error <= ACCEPTED * scale
+    bad = np.flatnonzero(~(np.isfinite(found.x).all(axis=1) & (found.converged | close)))
+    if len(bad):
+        j = bad[0]
+        raise NearsightError(
+            f"node cost at step {t[j]}, agent {v[j]}: its minimiser over the feasible set was not "
+            f"found; what was found is off by at most {found.error[j]:.3g}"
+        )
+    return found.x
 
 
 def _steps(problem: Problem) -> int:

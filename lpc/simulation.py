@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from os import PathLike
 from pathlib import Path
 
@@ -12,13 +13,15 @@ import numpy as np
 
 from ..graphs import InputError
 from .arrays import Floats
+from .certify import EPS
 from .checkpoint import Checkpoint
 from .controller import Controller
-from .excess import excess
+from .excess import Measured, measured_cost, measured_excess
 from .offline import Optimum, optimum
 from .problem import Problem
 
 Progress = Callable[[str, int, int], None]
+TINY = 1e-290  # costs below it may have lost products that are not representable
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +47,8 @@ class Simulation:
         How the local problems were solved.
     seconds : dict
         Wall-clock time of ``"lpc"`` and ``"optimum"``; steps read from a checkpoint take none.
+    excess_error : float
+        What rounding may have done to `excess`.
     """
 
     problem: Problem
@@ -56,16 +61,35 @@ class Simulation:
     action_error: float
     method: str
     seconds: dict[str, float] = field(default_factory=dict)
+    excess_error: float = 0.0
 
     @property
     def cost(self) -> float:
         """The total cost of the actions."""
         return float(sum(part.sum() for part in self.costs.values()))
 
+    @cached_property
+    def _best(self) -> Measured:
+        """The cost of the optimum found, more accurately than `optimum` has it."""
+        return measured_cost(self.problem, self.optimum.x)
+
+    @cached_property
+    def _nothing(self) -> bool:
+        """Whether nothing is paid: no product of small numbers has vanished, either."""
+        if self.cost or self.optimum.cost or self.optimum.gap:
+            return False
+        return self._best.nothing and measured_cost(self.problem, self.x).nothing
+
+    @property
+    def _least(self) -> float:
+        """A lower bound on the cost of the true optimum; 0 where products may have vanished."""
+        best = self._best
+        return max(best.value - best.error - self.optimum.gap, 0.0) if best.value >= TINY else 0.0
+
     @property
     def determined(self) -> bool:
         """Whether there is a ratio to speak of: the optimum is certainly 0, or certainly not."""
-        return self.optimum.cost > self.optimum.gap or max(self.cost, self.optimum.gap) == 0
+        return self._least > 0 or self._nothing
 
     @property
     def ratio(self) -> float:
@@ -77,19 +101,25 @@ class Simulation:
         """``cost(LPC) / cost(OPT) - 1``, without cancellation."""
         if not self.determined:
             return float("nan")
-        return self.interval[0]
+        return 0.0 if self._nothing else max(self.excess, 0.0) / self._best.value
 
     @property
     def interval(self) -> tuple[float, float]:
-        """Where ``cost(LPC)/cost(OPT) - 1`` of these actions lies, up to rounding.
+        """Where ``cost(LPC)/cost(OPT) - 1`` of these actions lies.
 
-        The optimum found is at most ``gap`` above the true one, which is at least 0.
+        The optimum found is at most ``gap`` above the true one, which is at least 0. Rounding is
+        in it, too: proven for quadratic costs, estimated for others, see `Measured`.
         """
-        gap, best, more = self.optimum.gap, self.optimum.cost, max(self.excess, 0.0)
-        if self.cost == 0:
+        if self._nothing:
             return 0.0, 0.0
-        lower = more / best if best > 0 else 0.0
-        return lower, (more + gap) / (best - gap) if best > gap else float("inf")
+        best, doubt = self._best, self.excess_error
+        if best.value < TINY:
+            return 0.0, float("inf")
+        lower = max(self.excess - doubt, 0.0) / (best.value + best.error)
+        if not self._least > 0:
+            return lower, float("inf")
+        upper = (max(self.excess + doubt, 0.0) + self.optimum.gap) / self._least
+        return lower * (1 - 4 * EPS), upper * (1 + 4 * EPS)
 
     @property
     def violation(self) -> float:
@@ -149,6 +179,7 @@ def simulate(
     x, error = _play(controller, checkpoint, progress)
     middle = time.perf_counter()
     best = optimum(problem, progress=_offline(progress))
+    more = measured_excess(problem, x, best.x)
     return Simulation(
         problem,
         k,
@@ -156,10 +187,11 @@ def simulate(
         x,
         best,
         problem.costs(x),
-        excess(problem, x, best.x),
+        more.value,
         error,
         controller.method,
         {"lpc": middle - start, "optimum": time.perf_counter() - middle},
+        more.error,
     )
 
 

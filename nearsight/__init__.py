@@ -57,9 +57,11 @@ if TYPE_CHECKING:
     from .measuring import search_sensitivity as search_sensitivity
     from .perturbation import Measurement as Measurement
     from .perturbation import sensitivity as sensitivity
+    from .sandwiching import sandwich as sandwich
     from .simulating import random_problem as random_problem
     from .simulating import simulate as simulate
     from .verifying import verify_claims as verify_claims
+    from .worsening import worst_case as worst_case
 
     __version__: str
 
@@ -106,6 +108,7 @@ _EXPORTS: dict[str, str] = {
     "plan": ".api",
     "random_problem": ".simulating",
     "read_graph": ".graphs",
+    "sandwich": ".sandwiching",
     "save_problem": ".lpc",
     "search_sensitivity": ".measuring",
     "sensitivity": ".perturbation",
@@ -113,6 +116,7 @@ _EXPORTS: dict[str, str] = {
     "simulate": ".simulating",
     "verify": ".verify",
     "verify_claims": ".verifying",
+    "worst_case": ".worsening",
 }
 
 

@@ -18,6 +18,7 @@ _SHARED = {
     "simulation_tables",
     "tables",
     "verdict_tables",
+    "worst_tables",
 }  # modules of this folder that are no commands
 
 

@@ -1,12 +1,13 @@
 import numpy as np
 import pytest
 
-from nearsight.graphs import InputError
+from nearsight.graphs import InputError, parse_graph
+from nearsight.lpc import Controller, Problem
 from nearsight.lpc.barrier import Barrier, with_barrier
-from nearsight.lpc.costs import Quadratic
+from nearsight.lpc.costs import LogCosh, Quadratic
 from nearsight.lpc.local import LocalProblem
 from nearsight.lpc.offline import optimum
-from nearsight.lpc.sets import Box
+from nearsight.lpc.sets import Ball, Box, Constraints
 
 from .support import COSTS, random_problem
 
@@ -81,3 +82,32 @@ def test_local_problems_of_a_barrier_converge_too():
     ]
     assert wrong[2] < wrong[1] < wrong[0]
     assert wrong[2] <= 1e-3
+
+
+def test_discs_as_formulas_never_stop_the_controller():
+    rng, network = np.random.default_rng(0), parse_graph("ring:5")
+    for _ in range(5):
+        node = LogCosh(rng.normal(size=(4, 5, 2, 2)), rng.normal(size=(4, 5, 2)), 1.0, 0.8)
+        m = rng.normal(size=(4, 5, 4, 4))
+        c, R = 0.3 * rng.normal(size=(4, 5, 2)), rng.uniform(0.2, 1, size=(4, 5))
+        disc = Constraints(
+            ["(a-x)**2+(b-y)**2-r**2"], ["a", "b"], {"x": c[..., 0], "y": c[..., 1], "r": R}
+        )
+        pairs = Quadratic(m @ m.swapaxes(2, 3))
+        one, two = (Problem(network, 4, node, pairs, pairs, s, 1.0) for s in (Ball(c, R), disc))
+        exact, mine = Controller(one, 3, 1, "descent", tolerance=1e-13), Controller(two, 3, 1)
+        x = one.x_0
+        for t in range(1, 5):
+            best = exact.step(t, x)
+            np.testing.assert_allclose(mine.step(t, x), best, atol=1e-8)
+            x = best
+
+
+def test_stiff_costs_in_a_small_box_converge():
+    box = Constraints(["-.1-a", "a-.1", "-.1-b", "b-.1"], ["a", "b"])
+    for condition in (1.0, 1e4, 1e6):
+        node = Quadratic(np.diag([1.0, condition]), np.random.default_rng(1).normal(size=(4, 5, 2)))
+        found = optimum(Problem(parse_graph("ring:5"), 4, node, feasible=box))
+        exact = optimum(Problem(parse_graph("ring:5"), 4, node, feasible=Box(-0.1, 0.1)))
+        assert found.converged
+        np.testing.assert_allclose(found.x, exact.x, atol=1e-8)

@@ -3,9 +3,11 @@ import dataclasses
 import numpy as np
 import pytest
 
-from nearsight.lpc.costs import Quadratic
+from nearsight.graphs import NearsightError, Network
+from nearsight.lpc import Problem
+from nearsight.lpc.costs import LogCosh, Quadratic, Softplus
 from nearsight.lpc.minimisers import minimisers_at, node_minimisers
-from nearsight.lpc.sets import Ball, Box, Everywhere
+from nearsight.lpc.sets import Ball, Box, Constraints, Everywhere
 
 from .support import COSTS, SETS, clarabel_error, oracle, random_problem
 
@@ -60,3 +62,54 @@ def test_closed_forms_are_exact():
     )
     assert node_minimisers(even).strides[0] == 0  # one step stands for all
     assert not ball.flags.writeable
+
+
+def formula_sets(n, rng, count):
+    """Boxes and balls, and the same sets as formulas."""
+    names = [f"y{j}" for j in range(n)]
+    centre, size = 0.3 * rng.normal(size=(1, count, n)), rng.uniform(0.2, 1, size=(1, count))
+    given = {"r": size} | {f"c{j}": centre[..., j] for j in range(n)}
+    disc = "+".join(f"(y{j}-c{j})**2" for j in range(n)) + "-r**2"
+    sides = [f"{s}*(y{j}-c{j})-r" for j in range(n) for s in (1, -1)]
+    box = Box(centre - size[..., None], centre + size[..., None])
+    return (
+        (Ball(centre, size), Constraints([disc], names, given)),
+        (box, Constraints(sides, names, given)),
+    )
+
+
+@pytest.mark.parametrize("kind", [Quadratic, LogCosh, Softplus])
+@pytest.mark.parametrize("n", [1, 2, 3])
+def test_formulas_have_the_minimisers_of_the_sets_they_describe(kind, n):
+    rng, count = np.random.default_rng(n), 30
+    aim = 2 * rng.normal(size=(1, count, n))
+    if kind is Quadratic:
+        root = rng.normal(size=(1, count, n, n))
+        node = Quadratic(root @ root.swapaxes(2, 3) + 0.1 * np.eye(n), aim)
+    else:
+        a, b = rng.normal(size=(1, count, 2, n)), rng.normal(size=(1, count, 2))
+        node = kind(a, b, 1.0, 0.8, aim)
+    network = Network.from_edges(count, [])
+    for plain, formulas in formula_sets(n, rng, count):
+        one, other = (Problem(network, 1, node, feasible=s) for s in (plain, formulas))
+        np.testing.assert_allclose(node_minimisers(other), node_minimisers(one), atol=1e-10)
+
+
+def test_a_minimiser_is_right_or_an_error(monkeypatch):
+    node = LogCosh(
+        [[0.33126447991252045, 0.7232272859519225], [-1.6560383499454994, 0.6562962126693598]],
+        [0.320711919204044, -0.14505602750353622],
+        1.0,
+        0.8,
+        [-2.7396330841903476, 2.2462253583671417],
+    )
+    c, R = (-0.25562096452903815, -0.4227859854544748), 0.5495428732760477
+    disc = Constraints([f"(a-({c[0]!r}))**2+(b-({c[1]!r}))**2-{R!r}**2"], ["a", "b"])
+    one = Network.from_edges(1, [])
+    found = node_minimisers(Problem(one, 1, node, feasible=disc))
+    np.testing.assert_allclose(
+        found, node_minimisers(Problem(one, 1, node, feasible=Ball(c, R))), atol=1e-10
+    )
+    monkeypatch.setattr("nearsight.lpc.interior.LIMIT", 3)
+    with pytest.raises(NearsightError, match="step 1, agent 0"):
+        node_minimisers(Problem(one, 1, node, feasible=disc))

@@ -8,12 +8,14 @@ import time
 
 import numpy as np
 import pytest
+from mpmath import mp
 
 from nearsight.bounds import Parameters
 from nearsight.graphs import InputError, Network, parse_graph
-from nearsight.lpc import Controller, instance, simulate
+from nearsight.lpc import Controller, Problem, instance, simulate
 from nearsight.lpc.checkpoint import Checkpoint, identity
-from nearsight.lpc.excess import excess
+from nearsight.lpc.costs import Mixture, Quadratic, Softplus
+from nearsight.lpc.excess import excess, measured_excess
 
 from .brute import oracle, problem_of
 from .support import random_problem
@@ -169,3 +171,84 @@ def test_killed_in_the_middle(tmp_path):
     assert 0 < len(checkpoint.done) < 60
     resumed = simulate(problem, 3, 2, checkpoint=file)
     np.testing.assert_array_equal(resumed.x, simulate(problem, 3, 2).x)
+
+
+def quadratic_path(shift, spread):
+    rng = np.random.default_rng(1)
+    aim = shift + spread * rng.normal(size=(4, 3, 1))
+    pair = Quadratic(np.array([[0.5, -0.5], [-0.5, 0.5]]))
+    start = shift + spread * rng.normal(size=(3, 1))
+    return Problem(parse_graph("path:3"), 4, Quadratic([[1.0]], aim), pair, pair, x_0=start)
+
+
+def exact_cost(problem, x):
+    """The cost of scalar actions of `quadratic_path`, in 60 digits."""
+    number, total = np.vectorize(mp.mpf, otypes=[object]), mp.mpf(0)
+    y = number(np.concatenate([problem.x_0[None], x])[..., 0])
+    total += ((y[1:] - number(problem.node.centre[..., 0])) ** 2).sum() / 2
+    return total + ((y[1:] - y[:-1]) ** 2).sum() / 4 + ((y[1:, 1:] - y[1:, :-1]) ** 2).sum() / 4
+
+
+def exact_optimum(problem):
+    """The least of these costs: one Newton step from x_0, in 60 digits."""
+    H, N = 4, 3
+    path = mp.matrix([[1, -1, 0], [-1, 2, -1], [0, -1, 1]]) / 2
+    A, b = mp.zeros(H * N), mp.zeros(H * N, 1)
+    for t in range(H):
+        for v in range(N):
+            A[t * N + v, t * N + v] += mp.mpf(1) + (mp.mpf(1) if t < H - 1 else mp.mpf(1) / 2)
+            b[t * N + v] = mp.mpf(problem.node.centre[t, v, 0])
+            if t:
+                A[t * N + v, t * N - N + v] = A[t * N - N + v, t * N + v] = -mp.mpf(1) / 2
+            else:
+                b[v] += mp.mpf(problem.x_0[v, 0]) / 2
+            for u in range(N):
+                A[t * N + v, t * N + u] += path[v, u]
+    x = mp.lu_solve(A, b)
+    return exact_cost(problem, np.array(list(x), dtype=object).reshape(H, N, 1))
+
+
+@pytest.mark.parametrize(
+    ("shift", "spread"),
+    [(0, 1), (1e3, 1), (1e8, 1), (1e8, 1e-2), (1e8, 1e-4), (1e8, 1e-6), (1, 1e-8), (1e6, 1e-5)],
+)
+def test_the_interval_holds_in_spite_of_rounding(shift, spread):
+    with mp.workdps(60):
+        problem = quadratic_path(shift, spread)
+        best = exact_optimum(problem)
+        for k, r in ((2, 1), (4, 2)):
+            run = simulate(problem, k, r)
+            lower, upper = run.interval
+            assert lower <= exact_cost(problem, run.x) / best - 1 <= upper
+            if shift <= 1e3 and spread == 1:
+                assert upper - lower <= 1e-8 * lower
+
+
+def test_sharp_bends_are_not_overlooked():
+    rng = np.random.default_rng(0)
+    aim = rng.normal(size=(6, 2, 1))
+    bend = Softplus([[1000.0]], 1000 * aim, 0.03, 1.0, rng.normal(size=(6, 2, 1)))
+    node = Mixture([bend, Quadratic([[1e-9]], offset=1e6)], [1.0, 1.0])
+    problem = Problem(parse_graph("path:2"), 6, node)
+    x, y = rng.normal(size=(2, 6, 2, 1))
+    with mp.workdps(50):
+        number = np.vectorize(mp.mpf, otypes=[object])
+
+        def exact(z):
+            z = number(z)
+            bent = 0.03 * np.vectorize(lambda w: mp.log(1 + mp.exp(w)))(
+                1000 * z - number(bend.shifts)
+            )
+            bowl = (z - number(bend.centre)) ** 2 / 2 + mp.mpf(1e-9) * z**2 / 2
+            return (bowl + mp.mpf(0.03) / 0.03 * bent).sum()
+
+        true = exact(x) - exact(y)
+        found = measured_excess(problem, x, y)
+        assert abs(found.value - true) <= found.error <= 1e-8 * abs(true)
+
+
+@pytest.mark.parametrize("scale", [1e-160, 1e-170])
+def test_a_ratio_of_vanished_numbers_is_not_determined(scale):
+    run = simulate(quadratic_path(0.0, scale), 2, 1)
+    assert not run.determined
+    assert run.interval == (0.0, float("inf"))

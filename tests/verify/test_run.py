@@ -69,7 +69,8 @@ def test_an_unknown_label_lists_near_ones():
 
 
 def test_two_processes_find_the_same():
-    fast = [c.key for c in catalogue() if all(isinstance(check, EXACT) for check in c.checks)]
+    exact = (c for c in catalogue() if all(isinstance(check, EXACT) for check in c.checks))
+    fast = [claim.key for claim in exact if claim.part]
     one, two = (run(fast[:4], mutation=True, runner=Runner(n)) for n in (1, 2))
     assert one.verdicts == two.verdicts
     assert one.mutations == two.mutations

@@ -77,7 +77,7 @@ CLAIMS: tuple[Claim, ...] = (
                 "instance of the proof has temporal costs (l_T/2)(x-y)^2, which are 2 l_T-smooth",
             ),
         ),
-        uses=("thm:bottleneck:e1", "thm:bottleneck:e2[path]", "nearsight:sharp-cr[mix]"),
+        uses=("thm:bottleneck:e1", "thm:bottleneck:e2[path]", "thm:bottleneck[both]"),
         repaired="lambda_T = gamma_T^2: nearsight:temporal-lower-bound",
     ),
     Claim(

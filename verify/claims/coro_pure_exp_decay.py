@@ -58,8 +58,7 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         kind="corollary",
         uses=(
-            "thm:per-step-err",
-            "thm:alg-perf-bound-err-inject",
+            "coro:CR-LPC",
             "thm:networked-exp-decay-tight",
             f"{COROLLARY}:e1",
             f"{COROLLARY}:e2",

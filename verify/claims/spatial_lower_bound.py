@@ -85,7 +85,6 @@ CLAIMS: tuple[Claim, ...] = (
         uses=(
             "thm:spatial_lower_bound:e2",
             "thm:spatial_lower_bound:e4",
-            "nearsight:sharp-cr[mix]",
         ),
         repaired="lambda_S = g(2 floor(Delta/2) l_S/mu)^2: nearsight:ring-of-blocks",
     ),

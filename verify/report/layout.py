@@ -76,7 +76,7 @@ def layout(uses: nx.DiGraph[str]) -> Layout:
 def _columns(uses: nx.DiGraph[str]) -> dict[str, int]:
     """Return the length of the longest chain below each claim, or a later column.
 
-    A claim that is used more often than it uses others moves next to the first that uses it.
+    A claim that is used at least as often as it uses others moves next to the first that uses it.
     """
     circles = nx.condensation(uses)
     order = list(nx.topological_sort(circles))  # users first
@@ -84,7 +84,7 @@ def _columns(uses: nx.DiGraph[str]) -> dict[str, int]:
     for node in reversed(order):
         column[node] = 1 + max((column[below] for below in circles.successors(node)), default=-1)
     for node in order:
-        if circles.in_degree(node) > circles.out_degree(node):
+        if circles.in_degree(node) >= max(circles.out_degree(node), 1):
             column[node] = min(column[above] for above in circles.predecessors(node)) - 1
     return {key: column[circles.graph["mapping"][key]] for key in uses}
 
