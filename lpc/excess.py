@@ -56,12 +56,12 @@ def measured_cost(problem: Problem, x: Floats) -> Measured:
             off = _long(w) - at(cost.centre, t, i)
             moved, most = _products(cost, t, i, off, off)
             base = at(cost.offset, t, i)
-            values = 0.5 * moved + base
-            error = LONG * ((cost.size + 4) * most + np.abs(base))
+            values = _long(0.5 * moved + base)
+            error = _long(LONG * ((cost.size + 4) * most + np.abs(base)))
         else:
             values = _long(cost.value(t, i, w))
             felt = np.einsum("ij,ij->i", np.abs(cost.gradient(t, i, w)), np.abs(w))
-            error = 4 * EPS * (np.abs(values) + felt)
+            error = _long(4 * EPS * (np.abs(values) + felt))
         nothing &= not (values.any() or cost.gradient(t, i, w).any())
         total, wrong = total + values.sum(), wrong + float(error.sum())
         size, count = size + float(np.abs(values).sum()), count + len(t)
@@ -124,7 +124,7 @@ def _members(problem: Problem, x: Floats) -> Iterator[Member]:
         before = now
 
 
-def _long(values: Floats) -> Longs:
+def _long(values: Floats | Longs) -> Longs:
     return values.astype(np.longdouble)
 
 
@@ -141,7 +141,7 @@ def _bend(cost: Cost, t: Ints, i: Ints, w: Floats, d: Floats) -> tuple[Floats, F
     found, doubt, row = np.zeros(len(t)), np.zeros(len(t)), np.arange(len(t))
     a, b = np.zeros(len(t)), np.ones(len(t))
     for level in range(DEPTH + 1):
-        middle, (tt, ii, ww, dd) = 0.5 * (a + b), (z[row] for z in (t, i, w, d))
+        middle, tt, ii, ww, dd = 0.5 * (a + b), t[row], i[row], w[row], d[row]
         coarse, _ = _gauss(cost, tt, ii, ww, dd, a, b)
         halves = [_gauss(cost, tt, ii, ww, dd, *ends) for ends in ((a, middle), (middle, b))]
         fine, rise = (halves[0][j] + halves[1][j] for j in (0, 1))

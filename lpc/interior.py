@@ -148,7 +148,8 @@ class _State:
     def noise(self) -> Floats:
         """What rounding may do to the constraints' part of `residual`, shape (F,)."""
         steep = np.sqrt(np.einsum("mpj,mpj->mp", self.slope, self.slope))
-        return 4 * EPS * (self.multiplier * steep).sum(axis=1)
+        found: Floats = 4 * EPS * (self.multiplier * steep).sum(axis=1)
+        return found
 
     def blur(self, copies: Copies) -> Floats:
         """By how much rounding may change ``sum_i -l_i g_i``, with a factor of 100, shape (C,)."""

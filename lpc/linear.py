@@ -90,10 +90,10 @@ def _lifted(block: Floats, side: Floats) -> Floats:
     size = float(np.abs(np.diagonal(block)).max())
     for lift in LIFTS:
         try:
-            found: Floats = np.linalg.solve(block + lift * size * np.eye(len(block)), side)
+            found = np.linalg.solve(block + lift * size * np.eye(len(block)), side)
         except np.linalg.LinAlgError:
             continue
-        return found
+        return found.astype(np.float64, copy=False)
     return np.zeros_like(side)
 
 

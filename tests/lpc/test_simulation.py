@@ -174,32 +174,31 @@ def test_killed_in_the_middle(tmp_path):
 
 
 def quadratic_path(shift, spread):
-    rng = np.random.default_rng(1)
+    rng, pair = np.random.default_rng(1), Quadratic([[0.5, -0.5], [-0.5, 0.5]])
     aim = shift + spread * rng.normal(size=(4, 3, 1))
-    pair = Quadratic(np.array([[0.5, -0.5], [-0.5, 0.5]]))
     start = shift + spread * rng.normal(size=(3, 1))
     return Problem(parse_graph("path:3"), 4, Quadratic([[1.0]], aim), pair, pair, x_0=start)
 
 
 def exact_cost(problem, x):
     """The cost of scalar actions of `quadratic_path`, in 60 digits."""
-    number, total = np.vectorize(mp.mpf, otypes=[object]), mp.mpf(0)
+    number = np.vectorize(mp.mpf, otypes=[object])
     y = number(np.concatenate([problem.x_0[None], x])[..., 0])
-    total += ((y[1:] - number(problem.node.centre[..., 0])) ** 2).sum() / 2
+    total = ((y[1:] - number(problem.node.centre[..., 0])) ** 2).sum() / 2
     return total + ((y[1:] - y[:-1]) ** 2).sum() / 4 + ((y[1:, 1:] - y[1:, :-1]) ** 2).sum() / 4
 
 
 def exact_optimum(problem):
-    """The least of these costs: one Newton step from x_0, in 60 digits."""
+    """The least of these costs, in 60 digits."""
     H, N = 4, 3
     path = mp.matrix([[1, -1, 0], [-1, 2, -1], [0, -1, 1]]) / 2
     A, b = mp.zeros(H * N), mp.zeros(H * N, 1)
     for t in range(H):
         for v in range(N):
-            A[t * N + v, t * N + v] += mp.mpf(1) + (mp.mpf(1) if t < H - 1 else mp.mpf(1) / 2)
+            A[t * N + v, t * N + v] += 2 if t < H - 1 else 1.5
             b[t * N + v] = mp.mpf(problem.node.centre[t, v, 0])
             if t:
-                A[t * N + v, t * N - N + v] = A[t * N - N + v, t * N + v] = -mp.mpf(1) / 2
+                A[t * N + v, t * N - N + v] = A[t * N - N + v, t * N + v] = -0.5
             else:
                 b[v] += mp.mpf(problem.x_0[v, 0]) / 2
             for u in range(N):
@@ -214,8 +213,7 @@ def exact_optimum(problem):
 )
 def test_the_interval_holds_in_spite_of_rounding(shift, spread):
     with mp.workdps(60):
-        problem = quadratic_path(shift, spread)
-        best = exact_optimum(problem)
+        best = exact_optimum(problem := quadratic_path(shift, spread))
         for k, r in ((2, 1), (4, 2)):
             run = simulate(problem, k, r)
             lower, upper = run.interval
@@ -236,11 +234,9 @@ def test_sharp_bends_are_not_overlooked():
 
         def exact(z):
             z = number(z)
-            bent = 0.03 * np.vectorize(lambda w: mp.log(1 + mp.exp(w)))(
-                1000 * z - number(bend.shifts)
-            )
+            bent = np.vectorize(lambda w: mp.log1p(mp.exp(w)))(1000 * z - number(bend.shifts))
             bowl = (z - number(bend.centre)) ** 2 / 2 + mp.mpf(1e-9) * z**2 / 2
-            return (bowl + mp.mpf(0.03) / 0.03 * bent).sum()
+            return (bowl + mp.mpf(0.03) * bent).sum()
 
         true = exact(x) - exact(y)
         found = measured_excess(problem, x, y)
