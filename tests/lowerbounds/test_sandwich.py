@@ -84,3 +84,15 @@ def test_progress_and_bad_arguments():
             sandwich(network, 2, GIVEN, ks, rs, starts=starts)
     with pytest.raises(ns.InputError, match="logcosh"):
         sandwich(network, 2, GIVEN, [2], [1], style="logcosh")
+
+
+def test_the_printed_ratio_is_exceeded_as_spatial_couplings_vanish():
+    # its C_1 vanishes with l_S, and with it the share of a boundary in time
+    given = ns.Parameters(1.0, 1.0, 20.0, 1e-14)
+    found = sandwich(ns.parse_graph("ring:5"), 12, given, [2, 3], [1])
+    assert {(v.tier, v.below) for v in found.violations} >= {("stated", "worst")}
+    assert {v.tier for v in found.violations} == {"stated"}
+    (first, _) = (v for v in found.violations if v.below == "worst")
+    assert (first.k, first.r) == (2, 1)
+    problem = worst_case(instance(ns.parse_graph("ring:5"), 12, given), 2, 1).problem
+    assert ns.simulate(problem, k=2, r=1).ratio_minus_one > 4 * first.certificate
