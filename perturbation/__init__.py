@@ -10,6 +10,7 @@ from .searched import Searched, searched
 from .sensitivity import Sensitivity, sensitivity
 from .slices import Slices
 from .spec import Spec
+from .sweep import sweep
 from .target import Target
 from .units import Runner
 from .worst import Worst, worst
@@ -34,5 +35,6 @@ __all__ = [
     "search",
     "searched",
     "sensitivity",
+    "sweep",
     "worst",
 ]
