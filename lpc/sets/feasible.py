@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 
+from ...graphs import InputError
 from ..arrays import Floats, Ints
 from ..kind import Kind
 
@@ -26,10 +27,10 @@ class FeasibleSet(Kind):
 
         Raises
         ------
-        NotImplementedError
+        InputError
             If `projectable` is false.
         """
-        raise NotImplementedError(f"{self.kind}: there is no projection onto such a set")
+        raise InputError(f"{self.kind}: there is no projection onto such a set")
 
     @abstractmethod
     def constraints(self, t: Ints, v: Ints, y: Floats) -> tuple[Floats, Floats, Floats]:
