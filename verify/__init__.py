@@ -1,8 +1,8 @@
 """Is each claim true? Claims, evidence, verdicts."""
 
-from .catalogue import catalogue, verdicts
+from .catalogue import catalogue
 from .check import Check
 from .claim import Claim
 from .evidence import Evidence, Verdict
 
-__all__ = ["Check", "Claim", "Evidence", "Verdict", "catalogue", "verdicts"]
+__all__ = ["Check", "Claim", "Evidence", "Verdict", "catalogue"]

@@ -1,4 +1,4 @@
-"""Every claim, found by lying in its folder, and the graph of which proof uses which claim."""
+"""Every claim, found by lying in its folder."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from functools import cache
 from ..graphs import InputError
 from . import claims
 from .claim import Claim
-from .evidence import Evidence, Verdict
 
 
 @cache
@@ -37,32 +36,3 @@ def catalogue() -> tuple[Claim, ...]:
             if key not in found:
                 raise InputError(f"claim {claim.key!r} uses {key!r}, which is not there")
     return tuple(found.values())
-
-
-def ancestors(key: str) -> frozenset[str]:
-    """Return the keys of all claims that the proof of one uses, directly or not."""
-    uses = {claim.key: claim.uses for claim in catalogue()}
-    seen: set[str] = set()
-    left = list(uses[key])
-    while left:
-        other = left.pop()
-        if other not in seen:
-            seen.add(other)
-            left.extend(uses[other])
-    return frozenset(seen - {key})
-
-
-def verdicts(found: dict[str, Evidence]) -> tuple[Verdict, ...]:
-    """Return the verdicts on claims with evidence; refutations are handed on along the graph."""
-    refuted = {key for key, evidence in found.items() if evidence.verdict == "refuted"}
-    return tuple(
-        Verdict(
-            claim.label,
-            claim.part,
-            found[claim.key].verdict,
-            tuple(sorted(ancestors(claim.key) & refuted)),
-            found[claim.key],
-        )
-        for claim in catalogue()
-        if claim.key in found
-    )

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from mpmath import mp
 
-from nearsight.verify import catalogue, verdicts
+from nearsight.verify import catalogue
+from nearsight.verify.run import judge
 
 # fmt: off
 FILES = (
@@ -110,7 +111,7 @@ def test_what_is_refuted_says_what_holds_instead(key):
 
 
 def test_refutations_are_handed_on():
-    found = {v.key: v for v in verdicts({key: evidence(key) for key in CLAIMS})}
+    found = {v.key: v for v in judge(catalogue(), {key: evidence(key) for key in CLAIMS})}
     assert "le:cr-rev[C]" in found["le:cr-rev"].rests_on
     assert "thm:per-step-err" in found["coro:CR-LPC"].rests_on
     assert "thm:bottleneck" in found["coro:resource-augmentation"].rests_on
