@@ -68,7 +68,8 @@ def parse_graph(spec: str | Path, seed: int = 0, clean: bool = False) -> Network
         n, edges = family.build(*arguments, seed=seed)
     except InputError as error:
         raise InputError(f"--graph {text!r}: {error}") from error
-    return Network.from_edges(n, edges, source=text, transitive=family.TRANSITIVE)
+    names = getattr(family, "NAMES", None)
+    return Network.from_edges(n, edges, names=names, source=text, transitive=family.TRANSITIVE)
 
 
 def parse_growth(spec: str, max_degree: int | None = None) -> Growth:

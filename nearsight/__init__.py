@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     # What the table below does at run time, told to type checkers and editors: one line a name.
     # A test compares the two.
     from . import bounds as bounds
+    from . import figures as figures
     from . import graphs as graphs
     from . import lowerbounds as lowerbounds
     from . import lpc as lpc
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     from .bounds import Setting as Setting
     from .bounds import TierPlan as TierPlan
     from .bounds import catalogue as catalogue
+    from .drawing import draw as draw
     from .flooring import lower_bound as lower_bound
     from .graphs import Growth as Growth
     from .graphs import InputError as InputError
@@ -93,6 +95,8 @@ _EXPORTS: dict[str, str] = {
     "bound": ".api",
     "bounds": ".bounds",
     "catalogue": ".bounds",
+    "draw": ".drawing",
+    "figures": ".figures",
     "graphs": ".graphs",
     "instance": ".lpc",
     "load_problem": ".lpc",

@@ -15,6 +15,7 @@ _SHARED = {
     "options",
     "measurement_tables",
     "output",
+    "paths",
     "simulation_tables",
     "tables",
     "verdict_tables",

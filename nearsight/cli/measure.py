@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +10,7 @@ import click
 
 from .options import FINITE, JSON, box_of, input_errors, options, strengths
 from .output import Progress, print_json
+from .paths import writable
 
 if TYPE_CHECKING:
     from ..graphs import Network
@@ -77,7 +77,7 @@ def COMMAND(as_json: bool, search: bool, save: Path | None, **given: Any) -> Non
     if save is not None and not search:
         raise click.UsageError(f"--save {save}: it needs --search, which finds what to save")
     for option, path in (("--save", save), ("--checkpoint", given["checkpoint"])):
-        _writable(option, path)  # rather than find out after hours
+        writable(option, path)  # rather than find out after hours
     progress = Progress()
     with input_errors():
         from ..api import network
@@ -217,12 +217,3 @@ def _searchable(network: Network, k: int, r: int, n: int) -> None:
             f"--search: k = {k}, r = {r}, n = {n} give {unknowns} unknowns around agent "
             f"{network.names[v]}; at most {LARGEST} can be searched"
         )
-
-
-def _writable(option: str, path: Path | None) -> None:
-    """Raise a usage error if a file cannot be written, without making it."""
-    if path is None:
-        return
-    place = path if path.exists() else path.parent
-    if not (path.parent.is_dir() and os.access(place, os.W_OK)):
-        raise click.UsageError(f"{option} {path}: a file in a folder to be written to is needed")

@@ -15,7 +15,8 @@ NETWORK = [
         metavar="SPEC",
         help="A file (.graphml .gml .gexf .edgelist .adjlist .json .mtx) or a family: path:N "
         "ring:N grid:AxB torus:AxB tree:BxDEPTH complete:N star:N hypercube:D "
-        "ring-of-blocks:NxD regular:DxN erdos-renyi:NxP barabasi-albert:NxM geometric:NxRADIUS.",
+        "ring-of-blocks:NxD regular:DxN erdos-renyi:NxP barabasi-albert:NxM geometric:NxRADIUS "
+        "ieee118.",
     ),
     click.option(
         "--growth",

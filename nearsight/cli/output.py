@@ -72,6 +72,11 @@ class Progress:
             self._last, self._shown = now, True
             click.echo(f"\r\x1b[K{text}", nl=False, err=True)
 
+    def bar(self, done: int, total: int, text: str) -> None:
+        """Show a bar of what is done, and what is being done."""
+        filled = 20 * done // max(total, 1)
+        self(f"[{'#' * filled}{'.' * (20 - filled)}] {done}/{total} {text}"[:78])
+
     def count(self, done: int, total: int) -> None:
         """Show how much of a network has been measured."""
         self(f"measuring the network: {done}/{total}")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,6 +11,7 @@ import click
 
 from .options import FINITE, JSON, box_of, input_errors, option_of, options, strengths
 from .output import Progress, print_json
+from .paths import writable
 
 if TYPE_CHECKING:
     from ..lpc import Problem, Simulation
@@ -101,8 +101,7 @@ def COMMAND(
 
             with _naming("--save"):
                 save_problem(problem, save)
-        if actions is not None:
-            _writable(actions)  # rather than find out after hours
+        writable("--actions", actions)  # rather than find out after hours
         progress("measuring the constants")
         promised = promise(problem, k, r)  # it refutes false claims, so before the long part
         run = simulate(
@@ -162,15 +161,6 @@ def _naming(option: str) -> Iterator[None]:
         yield
     except InputError as error:
         raise InputError(f"{option} {error}") from error
-
-
-def _writable(path: Path) -> None:
-    """Raise `InputError` if a file cannot be written, without making it."""
-    from ..graphs import InputError
-
-    place = path if path.exists() else path.parent
-    if not (path.parent.is_dir() and os.access(place, os.W_OK)):
-        raise InputError(f"--actions {path}: a file in a folder to be written to is needed")
 
 
 def _write(path: Path, run: Simulation) -> None:

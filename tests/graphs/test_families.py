@@ -1,3 +1,5 @@
+from pathlib import Path
+
 import networkx as nx
 import numpy as np
 import pytest
@@ -5,7 +7,9 @@ import pytest
 from nearsight.graphs import InputError, modules, network_profile, parse_graph
 from nearsight.graphs.profile import Profile
 
+DATA = Path(__file__).resolve().parents[2] / "examples" / "data"
 SAME_AS = {
+    "ieee118": nx.read_graphml(DATA / "ieee118.graphml"),
     "path:7": nx.path_graph(7),
     "path:1": nx.path_graph(1),
     "ring:3": nx.cycle_graph(3),
@@ -40,13 +44,19 @@ def test_isomorphic_to_networkx(spec):
     assert nx.is_isomorphic(network.to_networkx(), SAME_AS[spec])
 
 
+def test_the_buses_keep_their_numbers():
+    assert parse_graph("ieee118").names == tuple(map(str, range(1, 119)))
+    with pytest.raises(InputError, match=r"ieee118 takes 0 argument\(s\), not 1"):
+        parse_graph("ieee118:3")
+
+
 def test_every_family_is_tested():
     assert {spec.partition(":")[0] for spec in SAME_AS} == set(modules("families"))
 
 
 @pytest.mark.parametrize("family", modules("families").values(), ids=lambda f: f.NAME)
 def test_every_family_describes_itself(family):
-    assert family.SYNTAX.startswith(f"{family.NAME}:")
+    assert family.SYNTAX.partition(":")[0] == family.NAME
     assert family.DESCRIPTION
     assert family.SYNTAX.count("x") - family.NAME.count("x") + 1 >= len(family.PARAMETERS)
 
