@@ -10,12 +10,12 @@ import numpy as np
 
 from ..graphs import InputError
 from ..lpc.arrays import Floats
+from ..lpc.store import Store
 from .fit import Fit, fit
 from .profile import Cell, profile
 from .promised import TIERS, Promised
 from .slices import Slices
 from .spec import Spec
-from .store import Store
 from .units import Runner
 
 UNIT = 20  # instances computed and kept together
@@ -104,7 +104,7 @@ def measure(
     works = [Work(spec, first, min(first + UNIT, instances)) for first in starts]
     width = spec.width
     rows = np.empty((len(works), UNIT, width))
-    with Store.open(checkpoint, spec.identity(), UNIT * width) as store:
+    with Store(checkpoint, "measurement", spec.identity(), UNIT * width) as store:
         missing = [j for j in range(len(works)) if not store.load(j, rows[j], works[j].last)]
         done = instances - sum(works[j].last - works[j].first for j in missing)
         runner = Runner() if runner is None else runner
