@@ -24,7 +24,7 @@ def _drawn(figure: Figure) -> tuple[Any, list[Text]]:
     plain = renderer.draw_text
 
     def draw_text(*args: Any, mtext: Text | None = None, **keywords: Any) -> None:
-        if mtext is not None and mtext not in texts:
+        if mtext is not None and mtext not in texts and _seen(mtext):
             texts.append(mtext)
         plain(*args, mtext=mtext, **keywords)
 
@@ -61,6 +61,12 @@ def flaws(figure: Figure) -> tuple[str, ...]:
             if text not in inside and box.overlaps(frame)
         ]
     return tuple(found)
+
+
+def _seen(text: Text) -> bool:
+    """Whether a text with this clipping shows at all."""
+    inside = text.get_clip_box() if text.get_clip_on() else None
+    return inside is None or bool(inside.overlaps(text.get_window_extent()))
 
 
 def _box(text: Text, renderer: Any, slack: float) -> Bbox:

@@ -139,5 +139,6 @@ def _draw(
     with style.context(["default", settings]):  # whatever the user's own settings are
         figure = picture.draw(table, subject, SIZES[size])
         found = flaws(figure)
+        figure.set_layout_engine("none")  # it has settled: files no longer depend on their order
         files = save(figure, folder, name, formats)
     return Drawn(name, (path, *files), reused, found, time.perf_counter() - start)
