@@ -10,7 +10,8 @@ from .infinite import infinite_excess
 from .joint import Joint
 from .lemmas import central_binomial, entropy
 from .ring import Ring
-from .sandwich import Row, Sandwich, Violation, sandwich, write_csv
+from .rows import Row, Sandwich, Violation, write_csv
+from .sandwich import sandwich
 from .sources import Charges
 from .spatial import Spatial
 from .stated import Stated, stated_temporal_excess

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from os import PathLike
 
 import numpy as np
 from scipy.optimize import minimize
@@ -12,7 +13,9 @@ from ..bounds import Parameters
 from ..graphs import InputError, NearsightError, Network
 from ..lpc.arrays import Floats, integer
 from ..lpc.constants import Constants, constants
+from ..lpc.store import Store
 from .couplings import Couplings
+from .resumed import identity
 from .slope import Slope
 from .worst_case import WorstCase, worst_case
 
@@ -66,6 +69,7 @@ def search_couplings(
     rounds: int = 3,
     steps: int = 300,
     seed: int = 0,
+    checkpoint: str | PathLike[str] | None = None,
     progress: Progress | None = None,
 ) -> Searched:
     """Climb ``CR - 1`` over all scalar quadratic costs with given constants, ``n = 1``.
@@ -92,13 +96,16 @@ def search_couplings(
         Steps of one ascent, at most.
     seed : int
         Of all that is random. Climb i does not depend on how many there are.
+    checkpoint : path, optional
+        A file that keeps finished climbs: an interrupted search goes on after them, and a longer
+        one begins with them.
     progress : callable, optional
         Called with a short text now and then.
 
     Raises
     ------
     InputError
-        If an argument is out of range.
+        If an argument is out of range, or the checkpoint is of another search.
     """
     for name, count in (("starts", starts), ("rounds", rounds), ("steps", steps)):
         integer(count, name, 1)
@@ -110,17 +117,30 @@ def search_couplings(
     slope = Slope(Couplings(network, H, parameters), k, r)
     best, history = -np.inf, []
     at: Floats | None = None
-    for i in range(starts):
-        rng = np.random.default_rng([seed, i])
-        name, point = _start(slope.couplings, i, rng)
-        values = []
-        for value, there in _climb(slope, point, rounds, steps, rng):
-            values.append(value)
-            if value > best:
-                best, at = value, there
-            if progress is not None:
-                progress(f"climb {i + 1}/{starts}: CR - 1 = {best:.6g}")
-        history.append(Climb(name, tuple(values)))
+    unit = np.empty(rounds + 1 + slope.couplings.size)  # values, then the best point
+    uniform = slope.couplings.point(np.pi / 4, np.pi / 4)
+    header = identity(
+        slope.couplings.problem(uniform),
+        parameters,
+        k=k,
+        r=r,
+        rounds=rounds,
+        steps=steps,
+        seed=seed,
+    )
+    with Store(checkpoint, "climb", header, unit.size) as store:
+        for i in range(starts):
+            rng = np.random.default_rng([seed, i])
+            name, point = _start(slope.couplings, i, rng)
+            if not store.load(i, unit):
+                for j, (value, there) in enumerate(_climb(slope, point, rounds, steps, rng)):
+                    unit[j], unit[rounds + 1 :] = value, there
+                    if progress is not None:
+                        progress(f"climb {i + 1}/{starts}: CR - 1 = {max(best, value):.6g}")
+                store.save(i, unit)
+            history.append(Climb(name, tuple(unit[: rounds + 1].tolist())))
+            if unit[rounds] > best:  # the best of a climb is its last
+                best, at = float(unit[rounds]), unit[rounds + 1 :].copy()
     if at is None:
         raise NearsightError("the numbers of this network overflow: rescale its costs")
     worst = worst_case(slope.couplings.problem(at), k, r)

@@ -2,100 +2,25 @@
 
 from __future__ import annotations
 
-import csv
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Iterable
+from dataclasses import fields
 from os import PathLike
-from pathlib import Path
+
+import numpy as np
 
 from ..bounds import Parameters, Setting, bounds_for
 from ..graphs import InputError, Network, network_growth
-from ..lpc.arrays import integer
+from ..lpc.arrays import Floats, integer
 from ..lpc.instances import instance
+from ..lpc.store import Store
 from .climb import search_couplings
 from .floor import floor
+from .resumed import identity
+from .rows import TIERS, Row, Sandwich
 from .styles import quadratic_style
 from .worst_case import worst_case
 
 Progress = Callable[[str], None]
-TIERS = ("stated", "repaired", "sharp")
-ROUNDING = 1e-9  # relative: what the numbers compared may be off
-
-
-@dataclass(frozen=True)
-class Row:
-    """All that is known of ``CR - 1`` at one k and r; None where there is no number.
-
-    Parameters
-    ----------
-    k, r : int
-        Prediction horizon and communication radius.
-    lower : float
-        No decentralised online algorithm is below, over all costs with the constants on this
-        network.
-    worst : float
-        The exact worst case of LPC over all data, with uniform couplings and H steps.
-    searched : float or None
-        The worst case at the worst couplings that a search found.
-    stated, repaired, sharp : float or None
-        The certificate of each tier, over all costs and all H; `stated` is the printed formula,
-        which is no guarantee.
-    """
-
-    k: int
-    r: int
-    lower: float
-    worst: float
-    searched: float | None
-    stated: float | None
-    repaired: float | None
-    sharp: float | None
-
-    @property
-    def least(self) -> float | None:
-        """The least certificate that is a guarantee."""
-        return min((c for c in (self.repaired, self.sharp) if c is not None), default=None)
-
-
-@dataclass(frozen=True)
-class Violation:
-    """A certificate below something that it promises to be above: a finding.
-
-    Parameters
-    ----------
-    k, r : int
-        Where.
-    tier : str
-        Whose certificate.
-    below : str
-        ``"lower"``, ``"worst"`` or ``"searched"``.
-    certificate, value : float
-        The two numbers; the second is larger.
-    """
-
-    k: int
-    r: int
-    tier: str
-    below: str
-    certificate: float
-    value: float
-
-
-@dataclass(frozen=True)
-class Sandwich:
-    """Rows by k, then r, of one network and its constants.
-
-    *Theorems* are ``lower <= certificate``, ``worst <= certificate`` and ``searched <=
-    certificate``. The lower bound is one over all costs: a single network with uniform couplings
-    may well be below it.
-    """
-
-    rows: tuple[Row, ...]
-
-    @property
-    def violations(self) -> tuple[Violation, ...]:
-        """All certificates that are exceeded; those of the tier ``stated`` may be."""
-        return tuple(v for row in self.rows for v in _violations(row))
 
 
 def sandwich(
@@ -109,6 +34,7 @@ def sandwich(
     starts: int = 0,
     seed: int = 0,
     workers: int = 1,
+    checkpoint: str | PathLike[str] | None = None,
     progress: Progress | None = None,
 ) -> Sandwich:
     """Return lower bounds, worst cases and certificates side by side.
@@ -130,8 +56,16 @@ def sandwich(
         Of the search, and of styles that are random.
     workers : int
         Threads for the policies.
+    checkpoint : path, optional
+        A file that keeps finished rows: an interrupted run goes on after them, and a larger
+        range of k and r begins with them.
     progress : callable, optional
         Called with a short text now and then.
+
+    Raises
+    ------
+    InputError
+        If an argument is out of range, or the checkpoint is of another table.
     """
     ks, rs = sorted(set(ks)), sorted(set(rs))
     for name, values, least in (("k", ks, 2), ("r", rs, 1)):
@@ -140,19 +74,35 @@ def sandwich(
     integer(starts, "starts", 0)
     problem = instance(network, H, parameters, style=quadratic_style(style), seed=seed)
     setting = Setting(parameters, network_growth(network), unconstrained=True)
-    rows = []
-    for k in ks:
-        for r in rs:
-            if progress is not None:
-                progress(f"k = {k}, r = {r}")
-            searched = None
-            if starts:
-                found = search_couplings(network, H, parameters, k, r, starts=starts, seed=seed)
-                searched = found.cr_minus_one
-            worst = worst_case(problem, k, r, workers=workers).cr_minus_one
-            lower = floor(setting, network, k, r).cr_minus_one
-            rows.append(Row(k, r, lower, worst, searched, *certificates(setting, k, r)))
+    pairs = [(k, r) for k in ks for r in rs]
+    rows, unit = [], np.empty(len(fields(Row)) - 2)
+    header = identity(problem, parameters, climbs=starts, seed=seed if starts else None)
+    with Store(checkpoint, "table", header, unit.size) as store:
+        for i, (k, r) in enumerate(pairs):
+            if not store.load(k, unit, r):
+                tell = _at(progress, f"row {i + 1}/{len(pairs)}, k = {k}, r = {r}: ")
+                searched = None
+                if starts:
+                    searched = search_couplings(
+                        network, H, parameters, k, r, starts=starts, seed=seed, progress=tell
+                    ).cr_minus_one
+                worst = worst_case(problem, k, r, workers=workers, progress=tell).cr_minus_one
+                lower = floor(setting, network, k, r).cr_minus_one
+                found = (lower, worst, searched, *certificates(setting, k, r))
+                unit[:] = [np.nan if value is None else value for value in found]
+                store.save(k, unit, r)
+            rows.append(_row(k, r, unit))
     return Sandwich(tuple(rows))
+
+
+def _at(progress: Progress | None, place: str) -> Progress | None:
+    """Return a callable that says where we are before what is being done."""
+    return None if progress is None else lambda text: progress(place + text)
+
+
+def _row(k: int, r: int, values: Floats) -> Row:
+    """Return the row of some numbers, NaN where there is none."""
+    return Row(k, r, *(None if np.isnan(value) else float(value) for value in values))  # type: ignore[arg-type]
 
 
 def certificates(setting: Setting, k: int, r: int) -> tuple[float | None, ...]:
@@ -165,30 +115,3 @@ def certificates(setting: Setting, k: int, r: int) -> tuple[float | None, ...]:
             if value is not None:
                 found[bound.tier].append(float(value))
     return tuple(min(found[tier], default=None) for tier in TIERS)
-
-
-def write_csv(found: Sandwich, path: str | PathLike[str]) -> None:
-    """Write the rows to a file: one line each, columns as in `Row`, empty where there is None.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
-    """
-    names = [field.name for field in fields(Row)]
-    try:
-        with Path(path).open("w", newline="", encoding="utf-8") as stream:
-            writer = csv.writer(stream)
-            writer.writerow(names)
-            writer.writerows([getattr(row, name) for name in names] for row in found.rows)
-    except OSError as error:
-        raise InputError(f"{path}: cannot be written: {error.strerror}") from error
-
-
-def _violations(row: Row) -> Iterator[Violation]:
-    for tier in TIERS:
-        certificate = getattr(row, tier)
-        for name in ("lower", "worst", "searched"):
-            value = getattr(row, name)
-            if None not in (certificate, value) and value > certificate * (1 + ROUNDING):
-                yield Violation(row.k, row.r, tier, name, certificate, value)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import zlib
+from os import PathLike
 from pathlib import Path
 from types import TracebackType
 from typing import BinaryIO
@@ -40,7 +41,7 @@ class Store:
     """
 
     def __init__(
-        self, path: str | Path | None, kind: str, header: dict[str, object], size: int
+        self, path: str | PathLike[str] | None, kind: str, header: dict[str, object], size: int
     ) -> None:
         self._size = size
         self._known: dict[tuple[int, int], Floats] = {}
@@ -121,5 +122,6 @@ def _stranger(data: bytes, line: bytes, kind: str) -> str:
         same = False
     if not same:
         return f"it is no file of {kind}s"
-    other = ", ".join(name for name in ours if ours[name] != theirs.get(name))
-    return f"it is of another {kind} (other {other})"
+    other = [name for name in ours if ours[name] != theirs.get(name)]
+    told = [name for name in other if name != "numbers"] or other  # a size follows from the rest
+    return f"it is of another {kind} (other {', '.join(told)})"

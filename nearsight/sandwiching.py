@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .api import Graph
-    from .lowerbounds.sandwich import Sandwich
+    from .lowerbounds.rows import Sandwich
 
 
 def sandwich(
@@ -45,7 +45,7 @@ def sandwich(
     save : path, optional
         Where to write the rows as CSV.
     **options
-        ``style, starts, workers, progress``: see `nearsight.lowerbounds.sandwich`.
+        ``style, starts, workers, checkpoint, progress``: see `nearsight.lowerbounds.sandwich`.
 
     Examples
     --------
@@ -57,8 +57,8 @@ def sandwich(
     """
     from .api import network
     from .bounds import Parameters
+    from .lowerbounds.rows import write_csv
     from .lowerbounds.sandwich import sandwich as layers
-    from .lowerbounds.sandwich import write_csv
 
     place = network(graph, seed, clean)
     found = layers(place, horizon, Parameters(mu, l_f, l_T, l_S), ks, rs, seed=seed, **options)

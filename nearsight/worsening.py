@@ -69,6 +69,7 @@ def worst_case(
     tolerance: float = 1e-5,
     seed: int = 0,
     workers: int = 1,
+    checkpoint: str | PathLike[str] | None = None,
     progress: Progress | None = None,
     **arguments: Any,
 ) -> Worsened:
@@ -89,6 +90,8 @@ def worst_case(
         See `nearsight.lowerbounds.worst_case`.
     seed : int
         Of all that is random.
+    checkpoint : path, optional
+        A file that keeps finished climbs of a search, so that an interrupted one can go on.
     progress : callable, optional
         Called with a short text now and then.
     **arguments
@@ -121,6 +124,8 @@ def worst_case(
         raise InputError(f"a problem is given: {', '.join(arguments)} would have no effect")
     else:
         problem = load_problem(given).problem if isinstance(given, str | PathLike) else given
+    if checkpoint is not None and not search:
+        raise InputError("checkpoint: of a search over couplings only", "checkpoint")
     if search and problem.n > 1:
         raise InputError("search: over couplings of actions of one number only", "search")
     worst = exact(
@@ -140,7 +145,11 @@ def worst_case(
 
         p = promised.constants.parameters()
         searched = search_couplings(
-            problem.network, problem.H, p, k, r, starts=search, seed=seed, progress=progress
+            *(problem.network, problem.H, p, k, r),
+            starts=search,
+            seed=seed,
+            checkpoint=checkpoint,
+            progress=progress,
         )
     found = Worsened(worst, promised, searched, time.perf_counter() - start)
     if save is not None:

@@ -10,6 +10,7 @@ import click
 
 from .options import FINITE, JSON, input_errors, option_of, options, strengths
 from .output import Progress, print_json
+from .paths import writable
 
 _FILE = click.Path(dir_okay=False, path_type=Path)
 
@@ -42,6 +43,12 @@ _RUN = [
     ),
     click.option("--csv", type=_FILE, help="With --table: write the rows to a file."),
     click.option(
+        "--checkpoint",
+        type=_FILE,
+        help="With --table or --search: keep finished rows or climbs in a file, and go on "
+        "after those it holds.",
+    ),
+    click.option(
         "--method",
         default="auto",
         show_default=True,
@@ -73,6 +80,10 @@ def COMMAND(
     instance, which simulate --problem replays. With --search N the couplings are varied
     as well, by N climbs: how bad LPC can be over all costs, from below.
     """
+    if given["checkpoint"] is not None and table is None and not given["search"]:
+        raise click.UsageError("--checkpoint needs --table or --search")
+    for option, path in (("--save", given["save"]), ("--csv", csv)):
+        writable(option, path)  # rather than find out after hours
     progress = Progress()
     with input_errors():
         if table is not None:
@@ -151,12 +162,14 @@ def _table(
         raise click.UsageError(f"--table: {', '.join(unused)} would have no effect; leave it out")
     _needed(given)
     start = time.perf_counter()
-    names = ("graph", "mu", "l_f", "l_T", "l_S", "horizon", "clean", "seed", "style", "workers")
+    names = ("graph", "mu", "l_f", "l_T", "l_S", "horizon", "clean", "seed", "style")
     found = sandwich(
         ks=range(2, most[0] + 1),
         rs=range(1, most[1] + 1),
         save=csv,
         starts=given["search"],
+        workers=given["workers"],
+        checkpoint=given["checkpoint"],
         progress=progress,
         **{name: given[name] for name in names},
     )

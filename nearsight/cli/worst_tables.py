@@ -12,7 +12,7 @@ from .tables import number, show, table
 
 if TYPE_CHECKING:
     from ..lowerbounds.climb import Searched
-    from ..lowerbounds.sandwich import Sandwich
+    from ..lowerbounds.rows import Sandwich
     from ..worsening import Worsened
 
 _CONSTANTS = ("mu", "l_f", "l_T", "l_S")

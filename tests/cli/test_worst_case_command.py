@@ -1,6 +1,7 @@
 import json
 import subprocess
 import sys
+import time
 
 import pytest
 from click.testing import CliRunner
@@ -146,6 +147,11 @@ BAD = [
     ([*WORDS, *SIGHT, "--problem", "x.npz"], "leave it out"),
     (["--problem", "none.npz", *SIGHT], "no such file"),
     ([*WORDS, *SIGHT, "--csv", "x.csv"], "--csv needs --table"),
+    ([*WORDS, *SIGHT, "--checkpoint", "x"], "--checkpoint needs --table or --search"),
+    ([*WORDS, "--table", "2,1", "--checkpoint", "none/x"], "checkpoint none/x"),
+    ([*WORDS, *SIGHT, "--search", 1, "--checkpoint", __file__], "it is no file of climbs"),
+    ([*WORDS, *SIGHT, "--save", "none/x.npz"], "--save none/x.npz"),
+    ([*WORDS, "--table", "2,1", "--csv", "none/x.csv"], "--csv none/x.csv"),
     ([*WORDS, "--table", "3"], "--table: '3': two integers"),
     ([*WORDS, "--table", "1,1"], "--table: '1,1': the first >= 2"),
     ([*WORDS, "--table", "2,1", "-k", 2], "-k would have no effect"),
@@ -190,3 +196,24 @@ def test_as_a_user_starts_it():
     )
     assert wrong.returncode == 2
     assert wrong.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("what", [["--table", "6,4"], [*SIGHT, "--search", 5]])
+def test_a_run_that_was_killed_goes_on(tmp_path, what):
+    file = tmp_path / "kept"
+    code = "from nearsight.cli import main; main()"
+    words = [*WORDS, *map(str, what), "--checkpoint", str(file), "--json"]
+    command = [sys.executable, "-c", code, "worst-case", *words]
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL) as process:
+        header, deadline = 0, time.monotonic() + 60
+        while time.monotonic() < deadline:  # until a unit is there
+            data = file.read_bytes() if file.exists() else b""
+            header = data.find(b"\n") + 1
+            if header and len(data) > header:
+                break
+            time.sleep(0.005)
+        process.kill()
+    assert len(file.read_bytes()) > header > 0
+    found = worst(*WORDS, *what, "--checkpoint", file)
+    whole = worst(*WORDS, *what)
+    assert found | {"seconds": 0} == whole | {"seconds": 0}

@@ -149,3 +149,44 @@ def test_longer_horizons_and_larger_rings_are_worse_yet():
     longer = search_couplings(RING[0], 8, given, k, r, starts=20, rounds=1).cr_minus_one
     assert short >= 1.187e-2
     assert longer >= 1.3e-2
+
+
+class StopError(Exception):
+    pass
+
+
+def stopping(after):
+    """Progress that ends a run as soon as it speaks of a part."""
+
+    def progress(text):
+        if text.startswith(after):
+            raise StopError
+
+    return progress
+
+
+def test_a_search_goes_on_after_its_finished_climbs(searched, tmp_path):
+    file, options = tmp_path / "climbs", {"rounds": 1, "seed": 0}
+    with pytest.raises(StopError):
+        search_couplings(*RING, starts=3, checkpoint=file, progress=stopping("climb 3/"), **options)
+    for torn in (b"", b"half a climb"):
+        file.write_bytes(file.read_bytes() + torn)
+        said = []
+        found = search_couplings(*RING, starts=3, checkpoint=file, progress=said.append, **options)
+        assert found.history == searched.history[:3]
+        assert {text[:9] for text in said} == ({"climb 3/3"} if not torn else set())
+    more = search_couplings(*RING, starts=10, checkpoint=file, **options)
+    assert more.history == searched.history
+    assert more.cr_minus_one == searched.cr_minus_one
+    np.testing.assert_array_equal(
+        more.worst.problem.node.centre, searched.worst.problem.node.centre
+    )
+    network, H, given, k, r = RING
+    other = ns.Parameters(1.0, 1.0, 1.0, 0.4)
+    for wrong, name in (
+        ((network, H, given, k, 1), "r"),
+        ((network, H + 1, given, k, r), "problem"),
+        ((network, H, other, k, r), "constants, problem"),
+    ):
+        with pytest.raises(ns.InputError, match=rf"another climb \(other {name}\)"):
+            search_couplings(*wrong, starts=1, checkpoint=file, **options)

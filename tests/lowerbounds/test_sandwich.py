@@ -78,7 +78,10 @@ def test_a_file_of_rows_reads_back(found, tmp_path):
 def test_progress_and_bad_arguments():
     said, network = [], ns.parse_graph("path:2")
     sandwich(network, 2, GIVEN, [2], [1, 2], progress=said.append)
-    assert said == ["k = 2, r = 1", "k = 2, r = 2"]
+    assert [text[:22] for text in said if "policy of step 1" in text] == [
+        "row 1/2, k = 2, r = 1:",
+        "row 2/2, k = 2, r = 2:",
+    ]
     for ks, rs, starts, name in (([1], [1], 0, "k"), ([2], [], 0, "r"), ([2], [1], -1, "starts")):
         with pytest.raises(ns.InputError, match=name):
             sandwich(network, 2, GIVEN, ks, rs, starts=starts)
@@ -96,3 +99,29 @@ def test_the_printed_ratio_is_exceeded_as_spatial_couplings_vanish():
     assert (first.k, first.r) == (2, 1)
     problem = worst_case(instance(ns.parse_graph("ring:5"), 12, given), 2, 1).problem
     assert ns.simulate(problem, k=2, r=1).ratio_minus_one > 4 * first.certificate
+
+
+def test_a_table_goes_on_after_its_finished_rows(found, tmp_path):
+    network, file = ns.parse_graph("ring:6"), tmp_path / "rows"
+
+    def stop(text):
+        if text.startswith("row 3/"):
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        sandwich(network, 4, GIVEN, [2, 3], [1, 2], starts=1, checkpoint=file, progress=stop)
+    kept = len(file.read_bytes())
+    said = []
+    again = sandwich(
+        network, 4, GIVEN, [2, 3], [1, 2], starts=1, checkpoint=file, progress=said.append
+    )
+    assert again == found
+    assert {text[:7] for text in said} == {"row 3/4", "row 4/4"}
+    assert len(file.read_bytes()) > kept
+    # a part of the table is there already, a larger one is not
+    said.clear()
+    part = sandwich(network, 4, GIVEN, [3], [2], starts=1, checkpoint=file, progress=said.append)
+    assert (part.rows, said) == (found.rows[-1:], [])
+    for wrong, name in (({"starts": 0}, "climbs, .*seed"), ({"starts": 1, "seed": 1}, "seed")):
+        with pytest.raises(ns.InputError, match=rf"another table \(other .*{name}\)"):
+            sandwich(network, 4, GIVEN, [2], [1], checkpoint=file, **wrong)
