@@ -1,4 +1,4 @@
-"""Grounded Laplacians: ``M = diag(g) + L``, solved to the last digits of every entry."""
+"""Grounded Laplacians: ``M = I + diag(e) + L``, solved to the last digits of every entry."""
 
 from __future__ import annotations
 
@@ -18,39 +18,45 @@ ROUNDS = 2  # of refinement: strong couplings cost digits in the factors
 
 @dataclass(frozen=True, eq=False)
 class Grounded:
-    r"""``x' M x = sum_i g_i x_i^2 + sum_e w_e (x_i - x_j)^2``, e = (i, j).
+    r"""``x' M x = sum_i (1 + e_i) x_i^2 + sum_(i,j) w_ij (x_i - x_j)^2``.
 
-    What is left of a row sum, ``g``, is kept as a number of its own, so that no diagonal cancels
-    against its row. ``M^{-1} >= 0`` entry by entry, and its triangular factors (no pivoting) have
-    one sign off the diagonal: for ``b >= 0`` they only add, and even entries far from the
-    support of b, as small as they are, come out to nearly full relative precision.
+    What is left of a row sum is ``1 + e_i``; e is kept as a number of its own, so that no diagonal
+    cancels against its row, and no row sum against 1. ``M^{-1} >= 0`` entry by entry, and its
+    triangular factors (no pivoting) have one sign off the diagonal: for ``b >= 0`` they only add,
+    and even entries far from the support of b, as small as they are, come out to nearly full
+    relative precision.
 
     Parameters
     ----------
-    ground : ndarray, shape (n,)
-        g, positive.
+    extra : ndarray, shape (n,)
+        e, nonnegative.
     ends : ndarray of int, shape (m, 2)
         The ends of every edge.
     weight : ndarray, shape (m,)
         w, nonnegative.
     """
 
-    ground: Floats
+    extra: Floats
     ends: Ints
     weight: Floats
 
     def __post_init__(self) -> None:
         if self.weight.shape != (len(self.ends),) or self.ends.shape[1:] != (2,):
             raise InputError(f"{len(self.ends)} edges and {self.weight.shape} weights")
-        if not (np.isfinite(self.ground).all() and (self.ground > 0).all()):
-            raise InputError("the ground of every vertex is a finite number > 0")
+        if not (np.isfinite(self.extra).all() and (self.extra >= 0).all()):
+            raise InputError("the ground of every vertex is a finite number >= 1")
         if not (np.isfinite(self.weight).all() and (self.weight >= 0).all()):
             raise InputError("the weight of every edge is a finite number >= 0")
 
     @property
     def size(self) -> int:
         """The number of vertices, n."""
-        return len(self.ground)
+        return len(self.extra)
+
+    @property
+    def ground(self) -> Floats:
+        """The row sums ``1 + e``, shape (n,)."""
+        return 1.0 + self.extra
 
     @cached_property
     def _incidence(self) -> sparse.csr_array:
@@ -112,5 +118,5 @@ class Grounded:
         inner = np.where(first, at[cut, 0], at[cut, 1])
         outer = np.where(first, self.ends[cut, 1], self.ends[cut, 0])
         weight = self.weight[cut]
-        ground = self.ground[members] + np.bincount(inner, weight, len(members))
-        return Grounded(ground, at[within], self.weight[within]), inner, outer, weight
+        extra = self.extra[members] + np.bincount(inner, weight, len(members))
+        return Grounded(extra, at[within], self.weight[within]), inner, outer, weight

@@ -104,7 +104,7 @@ def _sphere(ell: float, r: int) -> tuple[Floats, Ints, Ints]:
     across = np.stack([number[:-1].ravel(), number[1:].ravel()], axis=1)
     along = np.stack([number[:, :-1].ravel(), number[:, 1:].ravel()], axis=1)
     ends = np.concatenate([across, along])
-    whole = Grounded(np.ones(side * side), ends, np.full(len(ends), ell))
+    whole = Grounded(np.zeros(side * side), ends, np.full(len(ends), ell))
     apart = np.abs(x) + np.abs(y)
     members = np.flatnonzero(apart <= r)
     part, inner, outer, weight = whole.part(members)

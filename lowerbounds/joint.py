@@ -90,9 +90,9 @@ class Joint:
         space = (grid[:, :1, None] + inner).reshape(-1, 2)
         time = np.stack([grid[:-1].ravel(), grid[1:].ravel()], axis=1)
         weight = np.repeat([self.a_S / 2, self.a_T / 2], [len(space), len(time)])
-        ground = np.ones(H * n)
-        ground[:n] += self.a_T / 2
-        return Grounded(ground, np.concatenate([space, time]), weight)
+        extra = np.zeros(H * n)
+        extra[:n] = self.a_T / 2  # x_0 = 0
+        return Grounded(extra, np.concatenate([space, time]), weight)
 
     def number(self, tau: int, agent: int) -> int:
         """Return the number of ``(tau, agent)``."""

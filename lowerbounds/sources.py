@@ -76,12 +76,12 @@ def charges(
 
     With ``z = (M_SS)^{-1} e_j`` and ``u = -M_OS z >= 0`` the difference that cancels,
     ``B_jj - z_j``, is ``u' B_OO u``: a Schur complement, and a sum of positive terms. Rows of
-    ``B`` times the ground g sum to 1, so ``1 - B_jj = sum_{i != j} B_ij g_i + B_jj (g_j - 1)``.
+    ``B`` times the ground 1 + e sum to 1, so ``1 - B_jj = sum_{i != j} B_ij (1 + e_i) + B_jj e_j``.
 
     Parameters
     ----------
     system : Grounded
-        M, with ``g >= 1``.
+        M.
     sources : ndarray of int, shape (c,)
     seen : callable
         Returns the sets ``S_j`` of some sources; each contains j.
@@ -113,7 +113,7 @@ def _batches(
         column = system.solve(column)
         team = (right * system.solve(right)).sum(axis=0)
         rest = system.ground[:, None] * column
-        rest[some, order] = column[some, order] * (system.ground[some] - 1.0)
+        rest[some, order] = column[some, order] * system.extra[some]
         off = np.where(blind, column, 0.0)
         yield np.stack([rest.sum(axis=0), team, system.energy(off), (off**2).sum(axis=0)])
         if progress is not None:

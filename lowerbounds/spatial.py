@@ -68,7 +68,7 @@ class Spatial:
     def system(self) -> Grounded:
         """``M = I + (a_S/2) L``."""
         ends = edges(self.network)
-        return Grounded(np.ones(self.network.vertices), ends, np.full(len(ends), self.a_S / 2))
+        return Grounded(np.zeros(self.network.vertices), ends, np.full(len(ends), self.a_S / 2))
 
     def seen(self, agents: Ints) -> list[Ints]:
         """Return the balls of radius r around some agents."""

@@ -166,8 +166,9 @@ def worst_case(
     start = np.random.default_rng(seed).normal(size=pencil.energy.size)
     if pencil.norm(pencil.push(start)) == 0:
         return _nothing(pencil, k, r, start)
-    if method == "auto":
-        method = "dense" if pencil.energy.size <= SMALL else "lanczos"
+    size = pencil.energy.size
+    if method == "auto" or size == 1:  # one number is no subspace to iterate in
+        method = "dense" if size <= SMALL else "lanczos"
     dense = method == "dense"
     z = _dense(pencil) if dense else _lanczos(pencil, start, tolerance, progress)
     y = pencil.pull(pencil.energy.hessian @ (z / pencil.norm(z)))

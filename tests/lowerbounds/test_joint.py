@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from mpmath import mp, mpf
 
 from nearsight.bounds import Parameters, Setting, bounds_for
 from nearsight.graphs import InputError, network_growth, parse_graph
@@ -114,3 +115,41 @@ def test_all_bounds_are_below_the_certificates(spec, a, x, k, r):
 def test_bad_input(wrong):
     with pytest.raises(InputError):
         wrong(parse_graph("path:5"))
+
+
+@pytest.mark.parametrize(
+    ("spec", "a_T", "a_S", "k", "r", "H"),
+    [
+        ("path:3", 1e-8, 1e-8, 5, 1, 6),
+        ("star:4", 1e-3, 1e-12, 1, 1, 2),
+        ("path:2", 1e8, 1e8, 2, 0, 3),
+    ],
+)
+def test_every_charge_in_extended_precision(spec, a_T, a_S, k, r, H):
+    # a ground of 1 + 5e-9, 1 taken away again, leaves eight digits
+    network = parse_graph(spec)
+    N = network.vertices
+    whole = Joint(network, a_T, a_S, k, r, H)
+    found = whole.charges()
+    with mp.workdps(120):
+        M = mp.eye(H * N)
+        for i in range(H * N):
+            t, v = divmod(i, N)
+            others = [t * N + int(u) for u in network.neighbours(v)]
+            pairs = [(mpf(a_S) / 2, j) for j in others]
+            pairs += [(mpf(a_T) / 2, i - N), (mpf(a_T) / 2, i + N if t + 1 < H else None)]
+            for weight, j in pairs:
+                if j is not None:
+                    M[i, i] += weight
+                    if j >= 0:
+                        M[i, j] -= weight
+        B = M**-1
+        for j, seen in enumerate(whole.seen(np.arange(H * N))):
+            S = [int(i) for i in seen]
+            part = mp.matrix([[M[a, b] for b in S] for a in S]) ** -1
+            team = B[j, j] - part[S.index(j), S.index(j)]
+            assert abs(found.optimal[j] / (1 - B[j, j]) - 1) < 1e-12
+            if team > mpf(10) ** -100:
+                assert abs(found.team[j] / team - 1) < 1e-12
+            else:
+                assert found.team[j] == 0

@@ -220,9 +220,10 @@ def test_a_single_step(a, x, k, r):
     )
 
 
-def test_one_agent_without_look_ahead():
+@pytest.mark.parametrize("method", ["dense", "lanczos"])
+def test_one_agent_without_look_ahead(method):
     # H = 1, k = 1: plays theta, the optimum is theta/(1 + a/2), all by hand
-    found = worst_case(drawn("path:1", 1, 3.0, 0.0), 1, 0)
+    found = worst_case(drawn("path:1", 1, 3.0, 0.0), 1, 0, method=method)
     assert found.cr_minus_one == pytest.approx(1.5, rel=1e-14)
 
 
