@@ -7,7 +7,7 @@ from typing import Literal
 
 from ..graphs import InputError
 from .check import Check
-from .evidence import Evidence, Level
+from .evidence import Evidence, Level, together
 
 Kind = Literal["theorem", "lemma", "corollary", "step", "remark", "definition"]
 _STRENGTH = {"refuted": 2, "proved": 1, "supported": 0}
@@ -62,7 +62,7 @@ class Claim:
         return f"{self.label}[{self.part}]" if self.part else self.label
 
     def judge(self, level: Level) -> Evidence:
-        """Return the strongest evidence of all checks.
+        """Return the evidence of all checks, the strongest first.
 
         Raises
         ------
@@ -73,4 +73,4 @@ class Claim:
         words = {evidence.verdict for evidence in found}
         if {"proved", "refuted"} <= words:
             raise RuntimeError(f"{self.key}: proved and refuted at once")
-        return max(found, key=lambda evidence: _STRENGTH[evidence.verdict])
+        return together(sorted(found, key=lambda evidence: -_STRENGTH[evidence.verdict]))

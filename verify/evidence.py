@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 from ..graphs import InputError
@@ -55,6 +55,31 @@ class Evidence:
             raise InputError("support needs instances")
         if not self.reason:
             raise InputError("evidence needs a reason")
+
+
+def together(found: Sequence[Evidence]) -> Evidence:
+    """Return one piece of evidence from several, the strongest first.
+
+    Its verdict, instance and two sides are those of the first; the reasons are numbered, and the
+    details of each are kept. Instances tried are added up.
+    """
+    first = found[0]
+    if len(found) == 1:
+        return first
+    return replace(
+        first,
+        engine=" + ".join(dict.fromkeys(one.engine for one in found)),
+        reason=" ".join(f"({i}) {one.reason}" for i, one in enumerate(found, 1)),
+        instances=sum(one.instances for one in found),
+        details={
+            "parts": [
+                {"engine": one.engine, "verdict": one.verdict}
+                | ({"instance": one.instance} if one.instance else {})
+                | dict(one.details)
+                for one in found
+            ]
+        },
+    )
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ import pytest
 from mpmath import mp
 
 from nearsight.verify import catalogue
+from nearsight.verify.mutation import EXACT
 from nearsight.verify.run import judge
 
 # fmt: off
@@ -16,10 +17,16 @@ FILES = (
     "per_step_err", "alg_perf_bound", "coro_cr_lpc", "coro_cr_lpc_lines", "coro_cr_lpc_text",
     "smooth_difference", "coro_pure_exp_decay", "bottleneck", "spatial_lower_bound",
     "inverse_entries", "technical_lemmas", "printed_rates", "resource_augmentation", "pricing",
-    "pricing_revenue", "sharp_cr", "sharp_lower", "weighted_energy",
+    "pricing_revenue", "sharp_cr", "sharp_lower", "weighted_energy", "setting", "bottleneck_lines",
+    "spatial_lines", "printed_rates_cases", "per_step_err_text",
 )
 # fmt: on
 REFUTED = {
+    "eq:partial-costs",
+    "abstract#ratio",
+    "thm:bottleneck:e2[class]",
+    "thm:spatial_lower_bound[class]",
+    "thm:per-step-err[O, tight]",
     "thm:per-step-err",
     "thm:per-step-err:e2-1",
     "thm:oracle-perf-bound:e1:s1",
@@ -49,12 +56,11 @@ REFUTED = {
 }
 # fmt: off
 SUPPORTED = {
-    "thm:per-step-err[repaired]", "thm:per-step-err:e2", "thm:alg-perf-bound-err-inject",
+    "thm:per-step-err[repaired]", "thm:alg-perf-bound-err-inject",
     "thm:alg-perf-bound-err-inject[sharper]", "coro:CR-LPC[repaired]", "coro:pure-exp-decay",
-    "thm:bottleneck[repaired]", "thm:spatial_lower_bound:e1", "coro:resource-augmentation",
+    "thm:bottleneck[repaired]", "coro:resource-augmentation",
     "nearsight:sharp-cr[vi]", "nearsight:sharp-cr[mix]", "nearsight:sharp-cr[smooth]",
-    "nearsight:weighted-energy[E2]", "nearsight:temporal-lower-bound",
-    "nearsight:team-lower-bound", "nearsight:ring-of-blocks",
+    "nearsight:temporal-lower-bound", "nearsight:team-lower-bound", "nearsight:ring-of-blocks",
 }
 # fmt: on
 
@@ -95,7 +101,7 @@ def rejected(mutant):
 def test_mutants_are_rejected(key):
     for check in CLAIMS[key].checks:
         mutants = list(check.mutants())
-        assert mutants or evidence(key).engine in ("exact", "symbolic", "decision")
+        assert mutants or isinstance(check, EXACT)
         for mutant in mutants:
             assert rejected(mutant)
 
@@ -154,8 +160,8 @@ def test_two_agents_by_hand():
 
 
 def test_the_error_of_one_step_by_hand():
-    l_T, l_S = Q(2, 10**4) / Q(9999, 10**4) ** 2, Q(16, 9)
-    assert abs(mp.sqrt(g(2 * mp.mpf(l_T.numerator) / l_T.denominator)) - mp.mpf("0.01")) < 1e-12
+    l_T, l_S = Q(288, 143**2), Q(16, 9)
+    assert abs(mp.sqrt(g(2 * mp.mpf(l_T.numerator) / l_T.denominator)) - mp.mpf(1) / 12) < 1e-12
     assert abs(g(mp.mpf(16) / 9) - 0.25) < 1e-12
     b = l_S / 4
     best = minimum([[1 + 2 * b, -2 * b], [-2 * b, 1 + 2 * b]], [1, -1])
@@ -163,8 +169,8 @@ def test_the_error_of_one_step_by_hand():
     f = (best[0] - 1) ** 2 / 2 + (best[1] + 1) ** 2 / 2 + b * (best[0] - best[1]) ** 2
     found = evidence("thm:per-step-err")
     assert found.measured == float(2 * (best[0] - lpc) ** 2)
-    assert found.bound == float(8 * 4 * l_T * l_S / Q(99, 100) / 4 * f)
-    assert found.measured > 90 * found.bound
+    assert found.bound == float(8 * 4 * l_T * l_S / Q(11, 12) / 4 * f)
+    assert found.measured > found.bound
 
 
 def test_one_agent_by_hand():
@@ -182,29 +188,30 @@ def test_one_agent_by_hand():
 
 
 def test_radius_zero_by_hand():
-    a, degree = mp.mpf(5) / 40000, 40000
-    c2 = mp.sqrt(2 * max(1, (1 + mp.sqrt(6)) ** 2 / 12))
-    C_1 = c2 / 2 * mp.sqrt(degree) * a / mp.sqrt(g(5))
-    bound = 2 + 32 * 2**2 * C_1**2 * 6  # rho_T = 0; C_0 = 2
+    degree, gamma = 4000, Q(1, 3)  # sqrt(1 + 3) = 2
+    c2 = 2 * Q(9, 8)  # squared: c(1) c(4)
+    C_1 = c2 / 4 * degree * Q(3, degree) ** 2 / gamma  # squared
+    bound = 2 + 32 * 2**2 * C_1 * 4  # rho_T = 0; C_0 = 2
+    assert (C_1, bound) == (Q(243, 64000), Q(493, 125))
     assert evidence("coro:CR-LPC[r=0]").bound == pytest.approx(float(bound), rel=1e-12)
-    x = Q(1, 6)  # the best centre: (x-1)^2/2 + 5 x^2/2
-    assert Q(5, 2) / ((x - 1) ** 2 / 2 + 5 * x**2 / 2) == 6 > bound
+    x = Q(1, 4)  # the best centre: (x-1)^2/2 + 3 x^2/2
+    assert Q(3, 2) / ((x - 1) ** 2 / 2 + 3 * x**2 / 2) == 4 > bound
 
 
 def test_slices_by_hand():
-    p, q, a = Q(31, 100), Q(7, 20), Q(11, 50)
-    assert p**2 + q**2 <= a
-    follow = p * q / (1 + p**2)
-    assert 1 + 2 * a == Q(6, 5) ** 2  # rho_G = (6/5 - 1)/(6/5 + 1) = 1/11, C_0 = 1
-    assert follow > Q(1, 11)
+    a = Q(7, 18)
+    (follow,) = minimum([[1 + a / 2]], [a / 2])
+    assert 1 + 2 * a == Q(4, 3) ** 2  # rho_G = (4/3 - 1)/(4/3 + 1) = 1/7, C_0 = 1, C_G = 7/9
+    assert follow == Q(7, 43) > Q(1, 7)
     assert evidence("thm:per-step-err:e2-1").measured == float(follow)
+    assert evidence("thm:oracle-perf-bound:e1:s1").bound == float(2 * a / 7)
 
 
 def test_lower_bounds_by_hand():
     with mp.workdps(60):
         rate, mine = g(4) ** 2, g(2) ** 2
         assert rate > 2 * mine
-        printed = (1 - g(4)) ** 2 / 48 * rate**16 * (mp.mpf(10**6) / (10**6 + 1)) ** 2
+        printed = (1 - g(4)) ** 2 / 48 * rate**16 / 4
         assert evidence("thm:bottleneck").measured == pytest.approx(float(printed), rel=1e-12)
         # LPC with k = 16 from a top error alone: s_15^2 times a moderate number
         assert mine**16 < evidence("thm:bottleneck").bound < 50 * mine**16
@@ -221,11 +228,11 @@ def test_an_entry_by_hand():
     found = evidence("lemma:inverse-graph-lower-bound")
     assert found.bound == pytest.approx(entry, rel=1e-12)
     assert found.measured == float(3 * Q(8, 13) * Q(5, 26) ** 3) > 2 * entry
-    M = np.roll(np.eye(13), 1, 0) + np.roll(np.eye(13), -1, 0)
+    M = np.roll(np.eye(7), 1, 0) + np.roll(np.eye(7), -1, 0)
     series = sum((ell / 1.625) ** t * np.linalg.matrix_power(M, t)[0, 3] for t in range(3, 80, 2))
     e1 = evidence("equ:graph-Laplacian-inverse:e1")
     assert e1.bound == pytest.approx(series / 1.625, rel=1e-12)
-    assert e1.measured - e1.bound == pytest.approx(Q(1, 5) ** 10 * 2 / 3, rel=1e-3)
+    assert e1.measured - e1.bound == pytest.approx(Q(1, 5) ** 4 * 2 / 3, rel=1e-3)
 
 
 def test_resource_augmentation_by_hand():

@@ -10,6 +10,7 @@ import pytest
 from scipy.optimize import minimize_scalar
 
 from nearsight.graphs import InputError
+from nearsight.verify import catalogue
 from nearsight.verify.claims import (
     _rational,
     adding_constraints,
@@ -48,7 +49,8 @@ REFUTED = {
     "sec:main:perturb#averaging", "sec:main:perturb#b1b2-choice[d]",
     "sec:main:perturb#b1b2-choice[e]", "prop:exp-decay-networked-SOCO",
     "prop:exp-decay-networked-SOCO[a]", "prop:exp-decay-networked-SOCO[b]",
-    "prop:exp-decay-networked-SOCO[e]", "thm:global-exp-decay", "thm:global-exp-decay[a]",
+    "prop:exp-decay-networked-SOCO[e]", "equ:thm:SOCO-sensitivity:e1",
+    "thm:global-exp-decay", "thm:global-exp-decay[a]",
     "thm:global-exp-decay[b]", "thm:global-exp-decay[c]", "le:foc[a]",
     "sec:outline-network-perturbation-bound#special-case", "le:final-step[b]", "le:final-step[d]",
     "apx:adding-constraints", "apx:adding-constraints[b]", "apx:adding-constraints[c]",
@@ -74,7 +76,7 @@ def test_verdicts(key):
 
 def test_keys_are_there_and_the_uses_form_no_circle():
     assert len(CLAIMS) == sum(len(module.CLAIMS) for module in MODULES)
-    left = {key: set(claim.uses) for key, claim in CLAIMS.items()}
+    left = {claim.key: set(claim.uses) for claim in catalogue()}
     assert set().union(*left.values()) <= set(left)
     while left:
         free = {key for key, uses in left.items() if not uses & set(left)}
@@ -134,6 +136,18 @@ def test_the_helpers_with_all_their_vertices():
     assert moved > found.bound
 
 
+def test_five_helpers_by_numpy():
+    M = np.eye(6)
+    for i in range(5):  # helper i with v, and with u0 = 5
+        M[i, i] += 1
+        M[5, 5] += 0.5
+        M[i, 5] = M[5, i] = -0.5
+    inverse = np.linalg.inv(M)
+    found = judged("equ:thm:SOCO-sensitivity:e1")
+    assert found.measured == pytest.approx((inverse[5, :5].sum() / 2) ** 2)
+    assert found.bound == pytest.approx((inverse[5, :5] ** 2).sum())
+
+
 def test_a_minimiser_that_jumps():
     def psi(y):
         grid = np.linspace(-2, 2, 4001)
@@ -165,12 +179,12 @@ def test_chains_in_extended_precision():
 
 
 def test_sums_over_grids():
-    # growth of the hypercube by breadth first search, and the sum on the infinite line
+    # growth of a wide grid by breadth first search
     from nearsight.graphs import NetworkGrowth, parse_graph
 
-    growth = NetworkGrowth(parse_graph("hypercube:4"))
-    assert growth.transform(0.5) == pytest.approx(float(b1b2_choice.hypercube_sum(4)))
-    assert b1b2_choice.hypercube_sum(20) == Fraction(3, 2) ** 20
+    growth = NetworkGrowth(parse_graph("grid:41x41"))
+    assert growth.transform(0.5) == pytest.approx(float(b1b2_choice.grid_sum(2)), rel=1e-5)
+    assert judged("sec:main:perturb#b1b2-choice[d]").measured == 8 * 3**4
     for dimension, printed in ((1, 16), (2, 63), (3, 214.5)):
         D = 2 * dimension
         assert 8 * 3**dimension > max(16, D**3 * (1 - 1 / (4 * D**2))) == printed

@@ -8,7 +8,10 @@ BITS = 200
 
 
 def certified(a_T: Any, a_S: Any, degree: int, eta: int, k: int, r: int) -> Any:
-    """Return the certificate ``mix`` of nearsight:sharp-cr on ``CR - 1`` for l_f = mu, an arb.
+    """Return the certificate ``vi`` of nearsight:sharp-cr on ``CR - 1``, an arb.
+
+    It holds for any convex product constraints and any l_f, as a lower bound on every algorithm
+    speaks of the whole class.
 
     Parameters
     ----------
@@ -26,5 +29,5 @@ def certified(a_T: Any, a_S: Any, degree: int, eta: int, k: int, r: int) -> Any:
     with ctx.workprec(BITS):
         a, b = (arb(fmpq(v.numerator, v.denominator)) for v in (a_T, a_S))
         c = Couplings(a, b, arb(1), degree)
-        shares = best_shares("mix", c, eta, k, r)
-        return sharp_excess("mix", c, arb(eta), k, r, shares)
+        shares = best_shares("vi", c, eta, k, r)
+        return sharp_excess("vi", c, arb(eta), k, r, shares)

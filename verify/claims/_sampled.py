@@ -51,17 +51,29 @@ def local(tier: str, *parts: str) -> Draw:
 
     Parameters
     ----------
-    tier : {"stated", "repaired", "sharp"}
+    tier : {"repaired", "sharp"}
     *parts : str
         Of the boundary: ``top``, ``bottom``, ``lateral``.
     """
 
-    def bound(specimen: Any, part: str, dt: Any, ds: Any) -> Any:
-        from ...perturbation import Promised
+    def repaired(specimen: Any, part: str, dt: Any, ds: Any) -> Any:
+        from ...bounds.local_bound import local_repaired
 
-        return Promised(specimen.parameters, specimen.shape.growth).local(part, dt, ds)[tier]
+        p = specimen.parameters
+        c = local_repaired(p.a_T, p.a_S, specimen.shape.growth.max_degree)
+        return (c.C_2 if part == "bottom" else c.C_1) * c.rho_T**dt * c.rho_S**ds
 
-    return entries(bound, *parts)
+    def sharp(specimen: Any, part: str, dt: Any, ds: Any) -> Any:
+        from ...bounds.joint import best_tilt, lateral_bound, top_bound
+
+        p, degree = specimen.parameters, specimen.shape.growth.max_degree
+        x = degree * p.a_S
+        if part == "lateral":
+            tilt = best_tilt(p.a_T, x, dt, ds - 1)
+            return lateral_bound(p.a_T, p.a_S, degree, dt, ds, *tilt)
+        return top_bound(p.a_T, x, dt, ds, *best_tilt(p.a_T, x, dt - 1, ds))
+
+    return entries({"repaired": repaired, "sharp": sharp}[tier], *parts)
 
 
 def entries(bound: Callable[[Any, str, Any, Any], Any], *parts: str) -> Draw:
@@ -76,6 +88,7 @@ def entries(bound: Callable[[Any, str, Any, Any], Any], *parts: str) -> Draw:
     """
 
     def trial(rng: np.random.Generator) -> Trial:
+        from ...bounds.formula import plain_floats
         from ...perturbation import sensitivity
         from ...perturbation.lemmas._specimen import drawn
         from ...perturbation.sensitivity import PARTS
@@ -96,7 +109,11 @@ def entries(bound: Callable[[Any, str, Any, Any], Any], *parts: str) -> Draw:
             if not measured.size:
                 continue
             dt = found.time_gaps[:, columns][reach]
-            limit = np.asarray(bound(specimen, part, dt, hops[:, columns][reach].astype(int)))
+            ds = hops[:, columns][reach].astype(int)
+            with plain_floats():
+                limit = np.asarray(bound(specimen, part, dt, ds))
+            if np.any(measured > limit * (1 - 1e-6)):  # where rounding could matter
+                limit = np.asarray(bound(specimen, part, dt, ds))
             ratio = np.where(measured > 0, measured / np.maximum(limit, 1e-300), 0.0)
             i = int(np.argmax(ratio))
             if best is NOTHING or measured[i] * best[1] > best[0] * limit[i]:

@@ -40,6 +40,24 @@ def geometric(name: str = "p") -> Decision:
     )
 
 
+def counted(most: str, reason: str) -> Decision:
+    """Return ``n w <= N w`` for ``n <= N``, ``w >= 0``: as many terms as there may be.
+
+    Parameters
+    ----------
+    most : str
+        What N is.
+    reason : str
+        What is counted, and which claims the rest of the argument is.
+    """
+    return Decision(
+        ("n", "N", "w"),
+        lambda n, N, w: ([n >= 0, n <= N, w >= 0], n * w, N * w),
+        f"{reason}; here n <= N = {most} times w >= 0",
+        false=(lambda n, N, w: ([n >= 0, n <= 2 * N, w >= 0], n * w, N * w),),
+    )
+
+
 def two_squares() -> Decision:
     """Return ``(a+b)^2 <= 2 a^2 + 2 b^2``."""
     return Decision(

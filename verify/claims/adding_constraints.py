@@ -49,7 +49,7 @@ def _barrier(rng: np.random.Generator) -> Trial:
             slope = mu * (y - theta) + weight * float((slopes / (limits - slopes * y)).sum())
         left, right = (y, right) if slope < 0 else (left, y)
     about = {"m": m, "mu": mu, "theta": theta, "barrier": weight}
-    return abs(0.5 * (left + right) - best), float(np.sqrt(2 * m * weight / mu)), about
+    return abs(0.5 * (left + right) - best), float(np.sqrt(m * weight / mu)), about
 
 
 def _jump(rng: np.random.Generator) -> Trial:
@@ -90,14 +90,39 @@ CLAIMS: tuple[Claim, ...] = (
     Claim(
         LABEL,
         "minimisers with a barrier converge",
-        "With a Slater point the minimiser with barrier weight e is within sqrt(2 m e/mu) of the "
+        "With a Slater point the minimiser with barrier weight e is within sqrt(m e/mu) of the "
         "constrained one (m constraints).",
         "mu-strongly convex f, convex g_1..g_m, a point with g < 0",
         (
+            Decision(
+                ("value", "least", "m", "e", "mu", "d"),
+                lambda value, least, m, e, mu, d: (
+                    [
+                        2 * least >= 2 * value - 2 * m * e + mu * d * d,
+                        2 * value >= 2 * least + mu * d * d,
+                    ],
+                    mu * d * d,
+                    m * e,
+                ),
+                "f + sum_i lam_i g_i with lam_i = e/(-g_i(y_e)) is mu-strongly convex and least at "
+                "y_e, where it is f(y_e) - m e, and at most f at the optimum y*; and f(y_e) >= "
+                "f(y*) + (mu/2) d^2 as y* is optimal among the feasible; d = |y_e - y*|, both "
+                "times 2",
+                false=(
+                    lambda value, least, m, e, mu, d: (
+                        [
+                            2 * least >= 2 * value - 2 * m * e + mu * d * d,
+                            2 * value >= 2 * least,
+                        ],
+                        mu * d * d,
+                        m * e,
+                    ),
+                ),
+            ),
             Search(
                 _barrier,
                 "one number, 1 to 4 linear constraints, weights from 1e-8 to 1",
-                nudge=0.6,
+                nudge=0.8,
                 rounding=1e-6,
             ),
         ),

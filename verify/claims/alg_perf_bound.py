@@ -14,18 +14,15 @@ from ..engines.search import Search, Trial
 from ._sums import cauchy_schwarz, geometric
 
 THEOREM = "thm:alg-perf-bound-err-inject"
-ONE_STEP = {"l_T": Q(11, 50), "p": Q(31, 100), "q": Q(7, 20)}
+ONE_STEP = Q(7, 18)  # l_T; sqrt(1 + 2 l_T) = 4/3
 
 
 def one_step() -> tuple[Q, Q]:
-    """Return ``|psi(1) - psi(0)|`` of one step, and ``C_0 rho_G`` (``sqrt(1 + 2 l_T) = 6/5``)."""
-    p, q, a = ONE_STEP["p"], ONE_STEP["q"], ONE_STEP["l_T"]
-    if p * p + q * q > a:
-        raise RuntimeError("the coupling is not l_T-smooth")
-    s = Q(6, 5)
+    """Return ``|psi(1) - psi(0)|`` of one step, and ``C_0 rho_G``."""
+    a, s = ONE_STEP, Q(4, 3)
     if s * s != 1 + 2 * a:
         raise RuntimeError("s is not the root")
-    return p * q / (1 + p * p), max(Q(1), 2 * a) * (s - 1) / (s + 1)
+    return a / (2 + a), max(Q(1), 2 * a) * (s - 1) / (s + 1)
 
 
 def gain(a: float, shares: Any) -> float:
@@ -113,12 +110,10 @@ CLAIMS: tuple[Claim, ...] = (
         "Assumption 2.1; C_G = 2 l_T/mu as printed",
         (
             Counterexample(
-                lambda: (one_step()[0], 2 * ONE_STEP["l_T"] * Q(1, 11)),
-                ONE_STEP,
-                "One agent, t = H, i = 1, node cost x^2/2, temporal cost (p x_t - q x_{t-1})^2/2 "
-                "with p^2 + q^2 <= l_T, mu = 1: the last step follows the one before by "
-                "pq/(1+p^2), "
-                "rho_G = 1/11, C_G = 11/25",
+                lambda: (one_step()[0], 2 * ONE_STEP * Q(1, 7)),
+                {"mu": 1, "l_T": ONE_STEP, "H": 1},
+                "One agent, t = H, i = 1, costs x_t^2/2 + (l_T/4)(x_t - x_{t-1})^2, mu = 1: the "
+                "last step follows the one before by l_T/(2 + l_T) = 7/43; rho_G = 1/7, C_G = 7/9",
             ),
         ),
         kind="step",
@@ -133,10 +128,10 @@ CLAIMS: tuple[Claim, ...] = (
         (
             Counterexample(
                 one_step,
-                ONE_STEP,
-                "One agent, tau = t = H, node cost x^2/2, temporal cost (p x_t - q x_{t-1})^2/2 "
-                "with p^2 + q^2 <= l_T, mu = 1: x_t* = pq/(1+p^2) x_{t-1}, C_0 = 1, rho_G = 1/11. "
-                "It fails for all 0 < l_T/mu < 0.61: there the sharp C_G exceeds C_0",
+                {"mu": 1, "l_T": ONE_STEP, "H": 1},
+                "One agent, tau = t = H, costs x_t^2/2 + (l_T/4)(x_t - x_{t-1})^2, mu = 1: x_t* = "
+                "x_{t-1} 7/43, C_0 = 1, rho_G = 1/7. It fails for all 0 < l_T/mu < 0.61: there the "
+                "sharp C_G exceeds C_0",
             ),
         ),
         kind="step",

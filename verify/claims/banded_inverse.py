@@ -50,6 +50,36 @@ def _recurrence() -> tuple[Any, Any]:
     return chebyshev[2], (z + 1 / z) * chebyshev[1] - chebyshev[0]
 
 
+def chebyshev() -> Identity:
+    """Return the recurrence of (c)."""
+    return Identity(
+        _recurrence,
+        "w = z^n for any n: (z^n + z^-n)/2 obeys T_(n+1) = 2 c T_n - T_(n-1) with "
+        "c = (z + 1/z)/2, and has its values at n = 0, 1; c = (kappa+1)/(kappa-1) is [f]",
+    )
+
+
+def quotients() -> Decision:
+    """Return the Rayleigh quotients of (d)."""
+    return Decision(
+        ("a_0", "b_0", "alpha", "delta"),
+        lambda a, b, alpha, delta: (
+            [a > 0, alpha >= a, alpha <= b, delta >= 0],
+            (alpha + delta) * a,
+            b * (a + delta),
+        ),
+        "Rayleigh quotients: alpha = x'Ax, delta = x'Dx; (alpha + delta)/(a_0 + delta) is "
+        "at least 1 at once, at most b_0/a_0 by this",
+        false=(
+            lambda a, b, alpha, delta: (
+                [a > 0, alpha >= a, alpha <= b, delta >= 0],
+                (alpha + delta) * a,
+                a * (a + delta),
+            ),
+        ),
+    )
+
+
 CLAIMS: tuple[Claim, ...] = (
     Claim(
         LABEL,
@@ -58,6 +88,8 @@ CLAIMS: tuple[Claim, ...] = (
         ", kappa = b_0/a_0, d = d(S_R, S_C).",
         GIVEN,
         (
+            chebyshev(),
+            quotients(),
             Search(
                 lemma(LABEL, "stated", "Hessian, stated"),
                 "random banded matrices with q = 2, 4, 6, and Hessians of local problems; sets at "
@@ -106,13 +138,7 @@ CLAIMS: tuple[Claim, ...] = (
         "polynomial (1 - T_n(.)/T_n(c))/x of degree n-1 differs from 1/x on [a_0, b_0] by at most "
         "2 gamma^n/a_0: the constant 2 without any cited theorem.",
         "gamma = (sqrt(kappa)-1)/(sqrt(kappa)+1), kappa > 1",
-        (
-            Identity(
-                _recurrence,
-                "w = z^n for any n: (z^n + z^-n)/2 obeys T_(n+1) = 2 c T_n - T_(n-1) with "
-                "c = (z + 1/z)/2, and has its values at n = 0, 1; c = (kappa+1)/(kappa-1) is [f]",
-            ),
-        ),
+        (chebyshev(),),
         part="c",
         kind="step",
         uses=(f"{LABEL}[f]",),
@@ -122,32 +148,15 @@ CLAIMS: tuple[Claim, ...] = (
         "the block diagonal D does no harm",
         "(a_0 I + D)^(-1/2) (A + D) (a_0 I + D)^(-1/2) has its spectrum in [1, b_0/a_0].",
         "a_0 <= x'Ax <= b_0 and x'Dx >= 0 for unit vectors x",
-        (
-            Decision(
-                ("a_0", "b_0", "alpha", "delta"),
-                lambda a, b, alpha, delta: (
-                    [a > 0, alpha >= a, alpha <= b, delta >= 0],
-                    (alpha + delta) * a,
-                    b * (a + delta),
-                ),
-                "Rayleigh quotients: alpha = x'Ax, delta = x'Dx; (alpha + delta)/(a_0 + delta) is "
-                "at least 1 at once, at most b_0/a_0 by this",
-                false=(
-                    lambda a, b, alpha, delta: (
-                        [a > 0, alpha >= a, alpha <= b, delta >= 0],
-                        (alpha + delta) * a,
-                        a * (a + delta),
-                    ),
-                ),
-            ),
-        ),
+        (quotients(),),
         part="d",
         kind="step",
     ),
     Claim(
         LABEL,
         "the sharper constant is attained",
-        "For A with eigenvalues 1, kappa on two vertices |(A^-1)_(1,2)| = c(kappa) gamma.",
+        "For A with eigenvalues 1, kappa on two vertices |(A^-1)_(1,2)| = ((1+sqrt(kappa))^2/(2 "
+        "kappa)) gamma: the constant of [a] without its max, which matters at d = 0 only.",
         "kappa >= 1",
         (Identity(_attained, "kappa = s^2"),),
         part="e",

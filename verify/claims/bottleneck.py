@@ -15,13 +15,13 @@ BOTTLENECK = "thm:bottleneck"
 
 
 def too_large() -> tuple[Any, Any]:
-    """Return the printed bound of (e2) on CR - 1 at ``l_T = mu = 10^6``, k = 16, and LPC's."""
+    """Return the printed bound of (e2) on CR - 1 at ``l_T = mu = 1``, k = 16, and LPC's."""
     from flint import arb, ctx
 
     from ...bounds.lower import lambda_T_stated
 
     with ctx.workprec(BITS):
-        mu = l_T = arb(10**6)
+        mu = l_T = arb(1)
         rate = lambda_T_stated(arb(1))
         printed = mu**3 * (1 - rate.sqrt()) ** 2 / (48 * (mu + 1) ** 2 * l_T) * rate**16
         return printed, certified(Q(1), Q(0), 3, 0, 16, 1)
@@ -70,11 +70,11 @@ CLAIMS: tuple[Claim, ...] = (
         (
             Counterexample(
                 too_large,
-                {"mu": 10**6, "l_f": 10**6, "l_T": 10**6, "l_S": 0, "k": 16},
-                "LPC itself is better on the whole class: its certificate "
-                "(nearsight:sharp-cr, mix) "
-                "falls like gamma_T^{2k}, gamma_T = g(2a), and lambda_T = g(4a)^2 is larger. The "
-                "instance of the proof has temporal costs (l_T/2)(x-y)^2, which are 2 l_T-smooth",
+                {"mu": 1, "l_T": 1, "l_S": 0, "k": 16},
+                "LPC itself is better on the whole class, any constraints and any l_f: its "
+                "certificate nearsight:sharp-cr[vi], in intervals, falls like gamma_T^{2k}, "
+                "gamma_T = g(2a), and lambda_T = g(4a)^2 is larger. The instance of the proof is "
+                "not in the class: thm:bottleneck:e2[class]",
             ),
         ),
         uses=("thm:bottleneck:e1", "thm:bottleneck:e2[path]", "thm:bottleneck[both]"),

@@ -33,19 +33,19 @@ def lone_agent() -> tuple[Q, Q]:
 
 
 def star() -> tuple[Any, Any]:
-    """Return 6, and the repaired bound at r = 0 for a star of degree 40000, in intervals."""
+    """Return 4, and the repaired bound at r = 0 for a star of degree 4000, in intervals."""
     from flint import arb, fmpq
 
     from ...bounds.global_bound import global_repaired
     from ...bounds.local_bound import local_repaired
     from ...bounds.ratio import Reach, ratio_parts
 
-    degree, nothing, one = 40000, arb(0), arb(1)
-    local = local_repaired(nothing, arb(fmpq(5, degree)), degree)
-    p = ratio_parts(local, global_repaired(nothing), arb(6), Reach(one, one), 2, 0)
+    degree, nothing, one = 4000, arb(0), arb(1)
+    local = local_repaired(nothing, arb(fmpq(3, degree)), degree)
+    p = ratio_parts(local, global_repaired(nothing), arb(4), Reach(one, one), 2, 0)
     if not p.condition <= 0.5:
         raise RuntimeError("(e2-0) does not hold")
-    return arb(6), 1 + p.lateral + p.top
+    return arb(4), 1 + p.lateral + p.top
 
 
 def _scaled() -> tuple[Any, Any]:
@@ -125,13 +125,12 @@ CLAIMS: tuple[Claim, ...] = (
         (
             Counterexample(
                 star,
-                {"l_T": 0, "l_S": Q(1, 8000), "Delta": 40000, "k": 2, "r": 0, "H": 1},
-                "A star with 40000 leaves, mu = l_f = 1, targets 1 at the centre and 0 at "
-                "the leaves, "
-                "each spatial cost (l_S/2) x_centre^2 (convex, l_S-smooth). With r = 0 the action "
-                "itself is on the boundary: LPC plays the targets and pays 5/2, the optimum "
-                "x = 1/6 "
-                "pays 5/12, CR = 6. C_1 falls like Delta^{-1/2}, so that (e1) is 2.58",
+                {"l_T": 0, "l_S": Q(3, 4000), "Delta": 4000, "k": 2, "r": 0, "H": 1},
+                "A star with 4000 leaves, mu = l_f = 1, targets 1 at the centre and 0 at the "
+                "leaves, each spatial cost (l_S/2) x_centre^2 (convex, l_S-smooth). With r = 0 the "
+                "action itself is on the boundary: LPC plays the targets and pays 3/2, the optimum "
+                "x = 1/4 pays 3/8, CR = 4. C_1 falls like Delta^{-1/2}: C_1^2 = 243/64000, C_0 = 2 "
+                "and (e1) is 2 + 32 * 4 * 4 C_1^2 = 493/125 = 3.944",
             ),
         ),
         part="r=0",

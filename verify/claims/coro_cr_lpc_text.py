@@ -30,8 +30,8 @@ CLAIMS: tuple[Claim, ...] = (
     Claim(
         "sec:main:CR#iota",
         "the ratio without h(r), repaired",
-        "poly(r)^2 rho_S^{iota r} = O(rho_S^{iota' r}) for iota' < iota: r^2 z^r <= 1/(1-z)^2",
-        "0 <= z = rho_S^{(iota - iota')} < 1, for poly(r) = r; C_3(r) <= sum_q poly(q) "
+        "poly(r)^2 rho_S^{iota r} = O(rho_S^{iota' r}) for iota' < iota: (r z^r)^2 <= 1/(1-z)^2",
+        "0 <= z = rho_S^{(iota - iota')/2} < 1, for poly(r) = r; C_3(r) <= sum_q poly(q) "
         "rho_S^{(1+iota) q/2}",
         (
             Decision(
@@ -80,5 +80,35 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         kind="remark",
+    ),
+    Claim(
+        "sec:main:CR#degree",
+        "bounded degree and weak coupling, rate of the tight bound",
+        "h(r) <= Delta^r <= rho_S^{-r/4} for l_S/mu <= Delta^{-7}, rho_S of "
+        "thm:networked-exp-decay-tight: iota = 1/2 works",
+        "b_1 = 2 Delta - 1, b_2 = 4 Delta^2 - 2 Delta: rho_S = 4 Delta^2 g(x) <= Delta^{-4}; and "
+        "16 l_T <= mu, as that theorem asks for",
+        (
+            Decision(
+                ("Delta", "x"),
+                lambda Delta, x, s: (
+                    [Delta >= 1, x >= 0, x * Delta**6 <= 1],
+                    4 * Delta**6 * (s - 1),
+                    s + 1,
+                ),
+                "x = Delta l_S/mu, s = sqrt(1+x), g(x) = (s-1)/(s+1)",
+                roots={"s": lambda Delta, x: 1 + x},
+                false=(
+                    lambda Delta, x, s: (
+                        [Delta >= 1, x >= 0, x * Delta**5 <= 1],
+                        4 * Delta**6 * (s - 1),
+                        s + 1,
+                    ),
+                ),
+            ),
+        ),
+        part="tight",
+        kind="remark",
+        uses=("sec:main:perturb#b1b2-choice[a]",),
     ),
 )

@@ -120,6 +120,31 @@ CLAIMS: tuple[Claim, ...] = (
         kind="step",
     ),
     Claim(
+        f"{COROLLARY}:e1",
+        "the chain",
+        "Delta^2 sqrt(rho_S) = 2 Delta^3 sqrt(g(x)) <= 2 Delta^3 sqrt((sqrt(1 + Delta^{-6}) - "
+        "1)/2) <= 1",
+        "x = Delta l_S/mu <= u = Delta^{-6}",
+        (
+            Decision(
+                ("x", "u"),
+                lambda x, u, s, t: ([x >= 0, x <= u], 2 * (s - 1), (t - 1) * (s + 1)),
+                "g(x) = (s-1)/(s+1) <= (t-1)/2, s = sqrt(1+x), t = sqrt(1+u)",
+                roots={"s": lambda x, u: 1 + x, "t": lambda x, u, s: 1 + u},
+                false=(lambda x, u, s, t: ([x >= 0, x <= u], 3 * (s - 1), (t - 1) * (s + 1)),),
+            ),
+            Decision(
+                ("u",),
+                lambda u, t: ([u >= 0], 2 * (t - 1), u),
+                "4 Delta^6 (t-1)/2 <= 1",
+                roots={"t": lambda u: 1 + u},
+                false=(lambda u, t: ([u >= 0], 3 * (t - 1), u),),
+            ),
+        ),
+        part="chain",
+        kind="step",
+    ),
+    Claim(
         f"{COROLLARY}:e2",
         "the sum C_3",
         "C_3(r) <= sum (sqrt(rho_S)/Delta)^q <= Delta/(Delta - sqrt(rho_S))",

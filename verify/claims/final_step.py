@@ -10,11 +10,19 @@ from ..engines.exact import Counterexample
 from ..engines.search import Search
 from ..engines.symbolic import Identity, Nonnegative
 from ._sampled import lemma
+from ._sums import counted
+from .products import weighted
 
 LABEL = "le:final-step"
 TIGHT = "thm:networked-exp-decay-tight"
 CONDITIONS = "the conditions of thm:networked-exp-decay-tight"
 DRAWN = "random local problems within the conditions, often at their edge"
+TERMS = counted(
+    "2^l",
+    "M^-1 = sum_l D^-1 (-J)^l by le: H-inverse, each term by [c] with a binomial n, sum over l by "
+    "[g], neighbours of the boundary by [e], constants by [f]",
+)
+PRODUCT = weighted("with Q^-1 (2/mu, [graph-banded]) and J^l (le:J-bound) for the two factors")
 
 
 def _union() -> tuple[Fraction, Fraction]:
@@ -79,7 +87,7 @@ CLAIMS: tuple[Claim, ...] = (
         "lateral errors, exponent d - 1",
         "|(M^-1_(tau',tau) K y)_v0| <= C_1 rho_T^|tau'-tau| sum_u rho_S^(d(v0,u)-1) |y_u|.",
         CONDITIONS,
-        (Search(lemma(LABEL, "K, stated"), DRAWN, quick=40, full=3000, nudge=0.01),),
+        (TERMS, Search(lemma(LABEL, "K, stated"), DRAWN, quick=40, full=3000, nudge=0.01)),
         kind="lemma",
         uses=(
             "le:J-bound",
@@ -98,7 +106,7 @@ CLAIMS: tuple[Claim, ...] = (
         "top and bottom errors",
         "|(M^-1_(tau',i) R e)_v0| <= C_2 rho_T^(|tau'-i|+1) sum_u rho_S^d(v0,u) |e_u|.",
         CONDITIONS,
-        (Search(lemma(LABEL, "R, stated"), DRAWN, quick=40, full=3000, nudge=0.05),),
+        (TERMS, Search(lemma(LABEL, "R, stated"), DRAWN, quick=40, full=3000, nudge=0.05)),
         part="a",
         kind="lemma",
         uses=(f"{LABEL}[c]", f"{LABEL}[f]", f"{LABEL}[g]", f"{LABEL}[h]"),
@@ -127,7 +135,7 @@ CLAIMS: tuple[Claim, ...] = (
         "|(Q^-1 (-J)^l)_(u,q)| <= a^2 (2/mu) binom(l, (l-|tau'-tau|)/2) (2 a~ l_T/mu)^l "
         "rho_S^d(u,q), l >= 0.",
         CONDITIONS,
-        (Search(lemma(LABEL, "product"), DRAWN, quick=40, full=3000, nudge=0.4),),
+        (PRODUCT, Search(lemma(LABEL, "product"), DRAWN, quick=40, full=3000, nudge=0.4)),
         part="c",
         kind="step",
         uses=("le:J-bound", "thm: l-power", "thm:graph-induced-band-mat-inverse"),
@@ -232,7 +240,7 @@ CLAIMS: tuple[Claim, ...] = (
         "lateral errors, exponent d",
         "|(M^-1_(tau',tau) K y)_v0| <= C_1 rho_T^|tau'-tau| sum_u rho_S^d(v0,u) |y_u|.",
         CONDITIONS,
-        (Search(lemma(LABEL, "K, as used"), DRAWN, quick=40, full=3000, nudge=0.02),),
+        (TERMS, Search(lemma(LABEL, "K, as used"), DRAWN, quick=40, full=3000, nudge=0.02)),
         part="r",
         kind="lemma",
         uses=(f"{LABEL}[c]", f"{LABEL}[e]", f"{LABEL}[f]", f"{LABEL}[g]", f"{LABEL}[h]"),

@@ -21,6 +21,38 @@ def _two_names() -> tuple[Fraction, Fraction]:
     return first - last, Fraction(0)
 
 
+def share() -> Decision:
+    """Return the inequality of one temporal cost and half of its ends' node costs."""
+    return Decision(
+        ("x", "y", "q", "l", "w"),
+        lambda x, y, q, l, w: (  # noqa: E741 - the paper's letter
+            [x >= 0, y >= 0, q >= 0, l >= 2 * q, w >= 2 * q * x * y],
+            (1 + l) * 4 * q * x * y,
+            l * (2 * w + x * x + y * y),
+        ),
+        "w = x'Px + y'Ry, times 2 (1 + l); an action is in at most two temporal costs, so the sum "
+        "over them is |u'Au| <= (a/(1+a)) u'Du, and A D^-1 has the eigenvalues of the symmetric "
+        "D^-1/2 A D^-1/2",
+        false=(
+            lambda x, y, q, l, w: (  # noqa: E741
+                [x >= 0, y >= 0, q >= 0, l >= q, w >= 2 * q * x * y],
+                (1 + l) * 4 * q * x * y,
+                l * (2 * w + x * x + y * y),
+            ),
+        ),
+    )
+
+
+def below_one(factor: int) -> Decision:
+    """Return ``a/(1+a) <= factor a``."""
+    return Decision(
+        ("a",),
+        lambda a: ([a >= 0], a, factor * a * (1 + a)),
+        f"the radius a/(1+a) of [b] is at most {factor} a; times 1 + a",
+        false=(lambda a: ([a >= 0], 4 * a, factor * a * (1 + a)),),
+    )
+
+
 CLAIMS: tuple[Claim, ...] = (
     Claim(
         FOC,
@@ -62,6 +94,7 @@ CLAIMS: tuple[Claim, ...] = (
         "P^-1 = sum_l (I - P)^l, P = I + A D^-1, if mu > 2 l_T.",
         "Assumption 2.1, mu > 2 l_T",
         (
+            below_one(2),
             Search(
                 lemma(SERIES, "remainder, stated"),
                 "random local problems: the remainder after L = 1..13 terms is at most "
@@ -80,6 +113,7 @@ CLAIMS: tuple[Claim, ...] = (
         "All eigenvalues of P lie in the disc of radius 2 l_T/mu around 1.",
         "Assumption 2.1",
         (
+            below_one(2),
             Search(
                 lemma(SERIES, "radius, stated"),
                 "random local problems with mu > 2 l_T",
@@ -90,6 +124,7 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         part="a",
         kind="step",
+        uses=(f"{SERIES}[b]",),
     ),
     Claim(
         SERIES,
@@ -97,6 +132,7 @@ CLAIMS: tuple[Claim, ...] = (
         "The spectral radius of A D^-1 is at most a/(1+a) < 1 for all couplings.",
         "Assumption 2.1",
         (
+            share(),
             Search(
                 lemma(SERIES, "radius, sharp", "remainder, sharp"),
                 "random local problems with weak and strong couplings; approached by uniform "
@@ -116,24 +152,7 @@ CLAIMS: tuple[Claim, ...] = (
         "2 q x y <= (l/(1+l)) (P x^2 + R y^2 + (x^2 + y^2)/2): with shares of half the node costs, "
         "|u'Au| <= (a/(1+a)) u'Du.",
         "mu = 1, x, y >= 0, q = |Q| <= l/2, P x^2 + R y^2 >= 2 q x y (semidefinite)",
-        (
-            Decision(
-                ("x", "y", "q", "l", "w"),
-                lambda x, y, q, l, w: (  # noqa: E741 - the paper's letter
-                    [x >= 0, y >= 0, q >= 0, l >= 2 * q, w >= 2 * q * x * y],
-                    (1 + l) * 4 * q * x * y,
-                    l * (2 * w + x * x + y * y),
-                ),
-                "w = x'Px + y'Ry, times 2 (1 + l)",
-                false=(
-                    lambda x, y, q, l, w: (  # noqa: E741
-                        [x >= 0, y >= 0, q >= 0, l >= q, w >= 2 * q * x * y],
-                        (1 + l) * 4 * q * x * y,
-                        l * (2 * w + x * x + y * y),
-                    ),
-                ),
-            ),
-        ),
+        (share(),),
         part="c",
         kind="step",
     ),

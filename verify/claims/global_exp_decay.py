@@ -83,6 +83,17 @@ def _rate() -> tuple[Any, Any]:
     return sympy.simplify(gamma_T(((1 + u) ** 2 - 1) / 2)), 1 - 2 / (2 + u)
 
 
+def repaired_constant() -> Decision:
+    """Return ``s_d <= C_G gamma_T^d`` for the repaired C_G."""
+    return Decision(
+        ("a",),
+        lambda a, w: ([a >= 0], 1 + 0 * a, w),
+        "1/sqrt(1+a) <= 1 <= c(1+2a), w = sqrt(1+a)",
+        roots={"w": lambda a: 1 + a},
+        false=(lambda a, w: ([a >= 0], 1 + a, w),),
+    )
+
+
 CLAIMS: tuple[Claim, ...] = (
     Claim(
         LABEL,
@@ -195,15 +206,7 @@ CLAIMS: tuple[Claim, ...] = (
         "the repaired constant is implied by the sharp one",
         "a/(2 gamma_T sqrt(1+a)) <= c(1+2a) a/(2 gamma_T), as c >= 1.",
         "a >= 0",
-        (
-            Decision(
-                ("a",),
-                lambda a, w: ([a >= 0], 1 + 0 * a, w),
-                "1/sqrt(1+a) <= 1 <= c(1+2a), w = sqrt(1+a)",
-                roots={"w": lambda a: 1 + a},
-                false=(lambda a, w: ([a >= 0], 1 + a, w),),
-            ),
-        ),
+        (repaired_constant(),),
         part="f",
         kind="step",
     ),
@@ -221,7 +224,10 @@ CLAIMS: tuple[Claim, ...] = (
         "the global bound, mended",
         "Both bounds with C_G = c(1+2a) a/(2 gamma_T): exponents d - 1 and cross blocks l_T/2.",
         f"{CLASS}, any convex product constraints",
-        (Search(_trial, "random slices of 1 to 3 numbers and the best chains", nudge=0.5),),
+        (
+            repaired_constant(),
+            Search(_trial, "random slices of 1 to 3 numbers and the best chains", nudge=0.5),
+        ),
         part="r",
         uses=(f"{LABEL}[f]", "nearsight:slice-decay"),
     ),

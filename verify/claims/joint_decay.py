@@ -64,6 +64,15 @@ CLAIMS: tuple[Claim, ...] = (
         "(cosh(alpha)-1) a - (cosh(beta)-1) x/2 > 0.",
         "Assumption 2.1, M any Hessian of a local problem, alpha, beta >= 0, s > 0",
         (
+            Decision(
+                ("m", "v", "b"),
+                lambda m, v, b: ([m > 0, v >= 0, b >= 0, m * v * v <= v * b], m * v, b),
+                "the conjugated Hessian is at least m = mu s by [a] and [b], so W M W^-1 v = b "
+                "gives m |v|^2 <= |v| |b| and |v| <= |b|/m; conjugating back gives the exponential",
+                false=(
+                    lambda m, v, b: ([m > 0, v >= 0, b >= 0, m * v * v <= 2 * v * b], m * v, b),
+                ),
+            ),
             Search(
                 _entries,
                 "all entries of random Hessians at the best tilt, or at random ones",

@@ -10,6 +10,7 @@ from ..engines.exact import Counterexample
 from ..engines.search import Search
 from ._sampled import entries
 from .networked_exp_decay import CLASS, LABEL, WEAK_TIME, WINDOW, gamma, smallest
+from .slice_decay import weights
 
 SOCO = "prop:exp-decay-networked-SOCO"
 TOP = {"mu": Fraction(1), "l_T": Fraction(16, 49), "l_S": Fraction(0)}
@@ -92,6 +93,7 @@ CLAIMS: tuple[Claim, ...] = (
         "a/(2 sqrt(1+a)) gamma_T^(d-1).",
         CLASS,
         (
+            weights(),
             Search(
                 entries(_slice, "top", "bottom"),
                 "random local problems; equality for a single agent with one free step",

@@ -10,6 +10,7 @@ from ..claim import Claim
 from ..engines.decision import Decision
 from ..engines.exact import Counterexample
 from ..engines.search import Search, Trial
+from ._rational import solve
 from ._sampled import pair_hessian
 from .networked_exp_decay import gamma
 from .networked_soco import HYPOTHESES, LABEL, random_graph
@@ -32,6 +33,19 @@ def _spectrum(rng: np.random.Generator) -> Trial:
     return float(np.linalg.eigvalsh(M)[-1]), 1 + degree * strength, {"degree": degree}
 
 
+def between(m: int) -> tuple[Fraction, Fraction]:
+    """Return the squares of ``d x_u0/d y_v`` and ``l |(M^-1)_(u0,N(v))|``, m helpers between.
+
+    Costs x^2/2 and differences ``(1/4)(.)^2``, mu = l = 1: ``moved = sum_i (M^-1)_(u0,i)/2`` over
+    m equal entries.
+    """
+    half = Fraction(1, 2)
+    M = [[1 + 2 * half, -half], [-m * half, 1 + m * half]]  # a helper, and u0
+    moved = solve(M, [half, Fraction(0)])[1]
+    entry = 2 * moved / m
+    return moved**2, m * entry**2
+
+
 CLAIMS: tuple[Claim, ...] = (
     Claim(
         LABEL,
@@ -51,11 +65,45 @@ CLAIMS: tuple[Claim, ...] = (
         repaired=f"{LABEL}[c]: sqrt(Delta') l/2.",
     ),
     Claim(
+        "equ:thm:SOCO-sensitivity:e1",
+        "norms taken on both sides",
+        "|d psi_u0/d theta| <= sum_v l |(M^-1)_(u0, N(v))| |eps_v|.",
+        HYPOTHESES,
+        (
+            Counterexample(
+                lambda: between(5),
+                {"mu": 1, "l": 1, "Delta'": 5, "costs": "x^2/2, (1/4)(difference)^2"},
+                "v in S and u0 have the same five neighbours: u0 moves by 5/23, the row of M^-1 "
+                "has five entries 2/23, of norm 2 sqrt(5)/23; squares 25/529 > 20/529",
+            ),
+        ),
+        kind="step",
+        uses=(f"{LABEL}[b]",),
+        repaired=f"with sqrt(Delta') l/2 for l: {LABEL}[c].",
+    ),
+    Claim(
         LABEL,
         "the stacked cross block has norm at most sqrt(Delta') l/2",
         "|R^(v)| <= sqrt(Delta') l/2; attained by differences (l/4)(x_u - y_v)^2.",
         "edge costs convex and l-smooth",
         (
+            Decision(
+                ("n", "S", "q", "l"),
+                lambda n, S, q, l: (  # noqa: E741
+                    [n >= 0, n * l * l >= 4 * S, 4 * q * q <= l * l],
+                    4 * (S + q * q),
+                    (n + 1) * l * l,
+                ),
+                "induction on the number n of blocks: a stack's squared norm is at most the sum S "
+                "of the blocks' squared norms q^2, q <= l/2",
+                false=(
+                    lambda n, S, q, l: (  # noqa: E741
+                        [n >= 0, n * l * l >= 4 * S, q * q <= l * l],
+                        4 * (S + q * q),
+                        (n + 1) * l * l,
+                    ),
+                ),
+            ),
             Search(
                 _cross,
                 "random convex pair Hessians, and differences, at which it is attained",
@@ -116,7 +164,26 @@ CLAIMS: tuple[Claim, ...] = (
         "the spectrum of the Hessian of the couplings",
         "mu I <= M_a <= (mu + Delta' l) I.",
         "edge costs convex and l-smooth",
-        (Search(_spectrum, "random graphs of up to 8 vertices", nudge=0.9),),
+        (
+            Decision(
+                ("degree", "Delta", "z", "l", "mu"),
+                lambda degree, Delta, z, l, mu: (  # noqa: E741
+                    [degree >= 0, degree <= Delta, z >= 0, l >= 0],
+                    mu * z + degree * l * z,
+                    (mu + Delta * l) * z,
+                ),
+                "the form of an edge lies between 0 and l (|x_u|^2 + |x_v|^2); summed over edges "
+                "every |x_v|^2 = z occurs deg(v) times",
+                false=(
+                    lambda degree, Delta, z, l, mu: (  # noqa: E741
+                        [degree >= 0, z >= 0, l >= 0],
+                        mu * z + degree * l * z,
+                        (mu + Delta * l) * z,
+                    ),
+                ),
+            ),
+            Search(_spectrum, "random graphs of up to 8 vertices", nudge=0.9),
+        ),
         part="f",
         kind="step",
     ),

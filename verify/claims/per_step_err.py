@@ -14,14 +14,14 @@ from ._sums import cauchy_schwarz, geometric, two_squares
 from ._two_agents import TwoAgents, coupling_of
 
 LOCAL = "the local perturbation bound holds with C_1, rho_T, rho_S; the global one with C_G, rho_G"
-GAMMA_T, GAMMA_S = Q(1, 10**4), Q(1, 4)  # squares of rho_T = 1/100 and rho_S = 1/2
+GAMMA_T, GAMMA_S = Q(1, 144), Q(1, 4)  # squares of rho_T = 1/12 and rho_S = 1/2
 
 
 def printed_bound() -> tuple[Q, Q]:
     """Return e_1^2 of LPC and the printed bound, two agents that are not coupled in time."""
     a, x = coupling_of(GAMMA_T) / 2, coupling_of(GAMMA_S)
     two = TwoAgents(x / 4)
-    rho_T, rho_S = Q(1, 100), Q(1, 2)
+    rho_T, rho_S = Q(1, 12), Q(1, 2)
     c_1 = 4 * x * a  # C_1^2, Delta = 1
     f_1 = two.cost(two.optimum)  # step 2 is past the horizon: it costs nothing
     return two.error, 8 * c_1 / (1 - rho_T) * rho_S**2 * f_1
@@ -68,7 +68,7 @@ CLAIMS: tuple[Claim, ...] = (
                 printed_bound,
                 {"l_T": coupling_of(GAMMA_T) / 2, "l_S": coupling_of(GAMMA_S), "k": 2, "r": 1},
                 "Two agents, H = 1, mu = l_f = 1, (x_1-1)^2/2 + (x_2+1)^2/2 + (4/9)(x_1-x_2)^2, "
-                "no temporal cost (it is l_T-smooth): rho_T = 1/100, rho_S = 1/2, and LPC plays "
+                "no temporal cost (it is l_T-smooth): rho_T = 1/12, rho_S = 1/2, and LPC plays "
                 "+-1/17 where the optimum is +-9/25. C_1 vanishes with l_T, the error does not",
             ),
         ),
@@ -133,6 +133,15 @@ CLAIMS: tuple[Claim, ...] = (
         "rho_S^{d(u,v)} z_u <= C_3(r) sum_v z_v (printed with the boundary for N_v^r)",
         "z >= 0; d is symmetric",
         (
+            Decision(
+                ("n", "h", "z", "w"),
+                lambda n, h, z, w: ([n >= 0, n <= h, z >= 0, w >= 0], n * w * z, h * w * z),
+                "sums exchanged: z_u occurs for the n <= h(q) agents v with d(v, u) = q, with the "
+                "weight w = 1 at q = r, or w = rho_S^q for q = 0..r",
+                false=(
+                    lambda n, h, z, w: ([n >= 0, n <= 2 * h, z >= 0, w >= 0], n * w * z, h * w * z),
+                ),
+            ),
             Search(
                 lambda rng: _counts(rng),
                 "largest of the two quotients, graphs and z of 0 and 1, in whole numbers and "

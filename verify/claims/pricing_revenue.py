@@ -64,7 +64,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         kind="lemma",
-        uses=(f"{LEMMA}[C]", f"{LEMMA}[last]", "apx:application#equivalence"),
+        uses=(f"{LEMMA}[C]", f"{LEMMA}[last]", "eq:CR-cost-revenue"),
         repaired="1 - (F - 1)(CR - 1), F = s^2/(2 mu (s-K)), for x_0 = 0: le:cr-rev[repaired]",
     ),
     Claim(
@@ -172,6 +172,22 @@ CLAIMS: tuple[Claim, ...] = (
         part="C repaired",
         kind="step",
         uses=(f"{LEMMA}[demand]",),
+    ),
+    Claim(
+        "eq:CR-cost-revenue",
+        "from cost to revenue",
+        "CR (C - rev(OPT)) >= C - rev(ALG) gives (CR - 1) C >= CR rev(OPT) - rev(ALG)",
+        "cost = C - revenue",
+        (
+            Decision(
+                ("CR", "C", "R", "alg"),
+                lambda CR, C, R, alg: ([C - alg <= CR * (C - R)], CR * R - alg, (CR - 1) * C),
+                "rearranged",
+                false=(lambda CR, C, R, alg: ([C - alg <= CR * (C - R)], CR * R, (CR - 1) * C),),
+            ),
+        ),
+        kind="step",
+        uses=("apx:application#equivalence",),
     ),
     Claim(
         LEMMA,

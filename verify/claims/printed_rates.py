@@ -9,6 +9,7 @@ from typing import Any
 from ..claim import Claim
 from ..engines.decision import Decision
 from ..engines.exact import Counterexample
+from ..engines.interval import Boxes
 from ..engines.symbolic import Identity
 
 TEMPORAL = "lemma:temporal-upper-and-lower"
@@ -25,6 +26,21 @@ def _difference() -> tuple[Any, Any]:
     s, w = 1 + t, 1 + m * t
     left = ((w - 1) / (w + 1)) ** 2 - (s - 1) / (s + 1)
     return left, 4 * s * (s - w) / ((s + 1) * (w + 1) ** 2)
+
+
+def _weak(x: Any) -> Any:
+    """``lambda_S/x - rho_S^32/x`` on balls, with the first branch of lambda_S."""
+    return 1 / (3 + 3 * x) - x**15 / ((1 + x).sqrt() + 1) ** 32
+
+
+def _strong(v: Any) -> Any:
+    """``(1 - w^16)/v - 4 sqrt(3)``, ``(1 - w)/v = 2/(1 + v + sqrt(1+v^2))``."""
+    from flint import arb
+
+    root = (1 + v * v).sqrt()
+    w = root - v
+    powers = sum((w**i for i in range(1, 16)), 1 + 0 * w)
+    return 2 * powers / (1 + v + root) - 4 * arb(3).sqrt()
 
 
 CLAIMS: tuple[Claim, ...] = (
@@ -101,6 +117,20 @@ CLAIMS: tuple[Claim, ...] = (
                 "and 1 - "
                 "4p <= 1 - q, q = 4 sqrt(3)/sqrt(x), by q^2 <= 16 p^2; so rho_S^32 <= (1-q)^2",
                 false=(lambda s: ([s >= 15], 60 * (s + 1) ** 2, 64 * (s * s - 1)),),
+            ),
+            Boxes(
+                _weak,
+                {"x": (0, 224)},
+                "again, without cases: rho_S^32/x = x^15/(sqrt(1+x) + 1)^32 < 1/(3+3x) for x <= "
+                "224",
+                nudge=Q(1, 800),
+            ),
+            Boxes(
+                _strong,
+                {"v": (0, Q(1, 14))},
+                "and rho_S^16 = w^16 < 1 - 4 sqrt(3) v for x >= 196, v = 1/sqrt(x), w = sqrt(1+"
+                "v^2) - v; 1 - w^16 = (1 - w)(1 + w + .. + w^15) divided by v",
+                nudge=3,
             ),
         ),
         kind="lemma",

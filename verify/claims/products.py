@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..claim import Claim
+from ..engines.decision import Decision
 from ..engines.search import Search, Trial
 from ..engines.symbolic import Identity
 from ._sampled import lemma
@@ -36,6 +37,28 @@ def _count(rng: np.random.Generator) -> Trial:
     return float(number[i, j]), float(limit), about
 
 
+def weighted(last: str) -> Decision:
+    """Return the step from l - 1 to l factors, with the weights ``lambda'^-d``."""
+    return Decision(
+        ("w_uq", "w_us", "w_sq", "X", "Y"),
+        lambda w_uq, w_us, w_sq, X, Y: (
+            [w_uq >= 0, w_us >= 0, w_sq >= 0, X >= 0, Y >= 0, w_uq <= w_us * w_sq],
+            w_uq * X * Y,
+            (w_us * X) * (w_sq * Y),
+        ),
+        "w = lambda'^-d obeys w_uq <= w_us w_sq by the triangle inequality, X = |(A_1..A_(l-1))"
+        "_us|, Y = |(A_l)_sq| <= C_l lambda^d; summed over s (and q) the first factors give "
+        f"a~^(l-1) C_1..C_(l-1), {last}",
+        false=(
+            lambda w_uq, w_us, w_sq, X, Y: (
+                [w_uq >= 0, w_us >= 0, w_sq >= 0, X >= 0, Y >= 0, w_uq <= 2 * w_us * w_sq],
+                w_uq * X * Y,
+                (w_us * X) * (w_sq * Y),
+            ),
+        ),
+    )
+
+
 CLAIMS: tuple[Claim, ...] = (
     Claim(
         POWER,
@@ -43,6 +66,7 @@ CLAIMS: tuple[Claim, ...] = (
         "|(A_1...A_l)_(u,q)| <= a~^l C_1...C_l lambda'^d(u,q), a~ = sum_k (lambda/lambda')^k h(k).",
         "|(A_i)_(u,q)| <= C_i lambda^d(u,q), lambda < lambda' < 1",
         (
+            weighted("the last one at most a~ C_l"),
             Search(
                 lemma(POWER, "stated"),
                 "random blocks, and positive ones at their bounds, on 15 kinds of graphs",
@@ -59,6 +83,7 @@ CLAIMS: tuple[Claim, ...] = (
         "The same with a~^(l-1).",
         "as above",
         (
+            weighted("and the last one is at most C_l (lambda/lambda')^d <= C_l for every q"),
             Search(
                 lemma(POWER, "sharp"),
                 "the same products; attained at l = 1 and, as lambda -> 1, at every l",
@@ -78,6 +103,12 @@ CLAIMS: tuple[Claim, ...] = (
         "l, i, j >= 1; binomials with a negative lower number are 0, too (the paper's note has "
         "only the odd case)",
         (
+            Identity(
+                _pascal,
+                "induction on l: a walk of l steps comes from i - 1 or i + 1, parity and reach "
+                "included, so their numbers add up; the binomials obey Pascal's rule in both "
+                "cases, and a path's ends only take walks away",
+            ),
             Search(
                 _count,
                 "exact numbers of walks on paths of up to 9 steps, l up to 12; equality wherever "
@@ -107,6 +138,23 @@ CLAIMS: tuple[Claim, ...] = (
         "b = sum_q (gamma_S/gamma_S')^q h(q).",
         "Assumption 2.1, gamma_S < gamma_S' < 1",
         (
+            Decision(
+                ("n", "S", "term", "B"),
+                lambda n, S, term, B: (
+                    [n >= 0, B >= 0, n * B >= S, term <= B],
+                    S + term,
+                    (n + 1) * B,
+                ),
+                "a sum of n terms of at most B each: le:J-properties counts them, and B = (2 b l_T"
+                "/mu)^l gamma_S'^d is thm: l-power for factors |A| |D^-1| <= l_T (2/mu) gamma_S^d",
+                false=(
+                    lambda n, S, term, B: (
+                        [n >= 0, B >= 0, n * B >= S, term <= 2 * B],
+                        S + term,
+                        (n + 1) * B,
+                    ),
+                ),
+            ),
             Search(
                 lemma(BOUND, "stated"),
                 "random local problems, l <= 8; 1/4 of the bound at most is used",

@@ -38,6 +38,40 @@ def _total() -> tuple[Any, Any]:
     return a / 4 * (a / (1 + a)) * w**2, (a**2 / (4 * (1 + a))) * w**2
 
 
+def _weights() -> tuple[Any, Any]:
+    """What (E) asks for at the source, at a slice between two edges, and the boundary's bill.
+
+    ``nu`` depends on the slice only; edges nearer to the boundary have gamma^2 times the weight.
+    """
+    import sympy
+
+    g, w, u, v = sympy.symbols("g w u v", positive=True)  # gamma_T; w = g^(d-1)
+    a, q = 2 * g / (1 - g) ** 2, g**2
+
+    def pays(nu: Any, lam: Any) -> Any:
+        return a * (nu - lam) ** 2 / (4 * lam)
+
+    lam = a / (1 + a)
+    source, inner = lam * (1 + 2 / a), 2 * (1 + 1 / a) * q / (1 + q)
+    left = source - 1 + u * inner + v * a / 4 * lam * w**2
+    return left, pays(source, lam) + u * (pays(inner, 1) + pays(inner, q)) + v * (
+        a**2 / (4 * (1 + a)) * w**2
+    )
+
+
+def weights() -> Identity:
+    """Return the certificate of (E1): weights with which (E) gives s_d at every distance."""
+    return Identity(
+        _weights,
+        "nearsight:weighted-energy with weights of the slice only, a = 2 gamma/(1-gamma)^2: lam = "
+        "a/(1+a) next to the source and gamma^2 times the last edge's from slice to slice; nu at "
+        "the source and at a slice in between as in [b] and [g]; all other edges (within slices, "
+        "past the source, to a boundary that stays) take lam = nu and cost nothing. What (E) asks "
+        "for holds with equality, and the boundary edge pays (a/4) lam_1 = s_d^2; unlike factors "
+        "u, v keep the three apart",
+    )
+
+
 def _attained() -> tuple[Any, Any]:
     """Two ends and a fixed point: all d >= 2 at once.
 
@@ -79,6 +113,7 @@ CLAIMS: tuple[Claim, ...] = (
         "until the end.",
         "Assumption 2.1, any product of convex sets",
         (
+            weights(),
             Search(
                 _trial,
                 "random slices of 1 to 3 numbers with arbitrary couplings inside a slice, and the "
@@ -86,7 +121,7 @@ CLAIMS: tuple[Claim, ...] = (
                 nudge=0.99,
             ),
         ),
-        uses=tuple(f"{LABEL}[{part}]" for part in "abcdg"),
+        uses=("nearsight:weighted-energy", *(f"{LABEL}[{part}]" for part in "abgi")),
     ),
     Claim(
         LABEL,

@@ -75,11 +75,10 @@ CLAIMS: tuple[Claim, ...] = (
             Counterexample(
                 too_large,
                 {"Delta": 3, "x": WEAK, "l_T": 0, "k": 2, "r": 20, "c": CONSTANT},
-                "LPC itself is better on every network of degree 3: its certificate (nearsight:"
-                "sharp-cr, mix, eta of the 3-regular tree) falls like (2 g(x)^2)^r, lambda_S "
-                "is x/3 "
-                "for small x. Here c = 1e-30; a smaller c takes a larger r. The proof squares an "
-                "entry of the inverse, but not its rate",
+                "LPC itself is better on every network of degree 3: its certificate "
+                "nearsight:sharp-cr[vi], in intervals, with the eta of the 3-regular tree, falls "
+                "like (2 g(x)^2)^r, and lambda_S is x/3 for small x. Here c = 1e-30; a smaller c "
+                "takes a larger r. The proof squares an entry of the inverse, but not its rate",
             ),
         ),
         uses=(
@@ -137,9 +136,10 @@ CLAIMS: tuple[Claim, ...] = (
         "",
         (
             Counterexample(
-                lambda: (Q(1, 2), Q(0)),
-                {"agents": 2, "w": "+-1, each with probability 1/2"},
-                "Two joined agents: cost(OPT) = 0 if w_1 = w_2, with probability 1/2",
+                lambda: (Q(1, 4), Q(0)),
+                {"agents": 2, "w": "0 with probability 1/2, else a standard normal number"},
+                "Mean zero, support all of R. Two joined agents: cost(OPT) = 0 if both are 0, "
+                "with probability 1/4",
             ),
         ),
         part="atoms",
@@ -153,6 +153,18 @@ CLAIMS: tuple[Claim, ...] = (
         "w independent with mean zero, x_i a function of w within distance r (the first sign is "
         "printed as an equality)",
         (
+            Decision(
+                ("off", "cross", "unseen"),
+                lambda off, cross, unseen: (
+                    [off >= 0, cross == 0],
+                    unseen,
+                    off - 2 * cross + unseen,
+                ),
+                "x_i - x_i* is a function of what is seen, of mean square off, minus the sum over "
+                "j beyond r, of variance unseen; independence and mean zero make the mean of their "
+                "product, cross, vanish",
+                false=(lambda off, cross, unseen: ([off >= 0], unseen, off - 2 * cross + unseen),),
+            ),
             Search(
                 _policies,
                 "linear policies, the best one among them, on small networks",

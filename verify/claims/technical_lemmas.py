@@ -46,6 +46,16 @@ def _slope() -> tuple[Any, Any]:
     return slope, 1 / (2 + e) - half - log / 2 + e / (1 - e**2 / 2)
 
 
+def _chain() -> tuple[Any, Any]:
+    """The two equalities of the chain."""
+    import sympy
+
+    e, u = sympy.symbols("epsilon u", positive=True)
+    first = 1 / (2 + e) - sympy.Rational(1, 2) - e / 2 + e
+    second = (2 - (2 + e) * (1 - e)) / (2 * (2 + e))
+    return first + u * second, second + u * (e + e**2) / (2 * (2 + e))
+
+
 CLAIMS: tuple[Claim, ...] = (
     Claim(
         BINOMIAL,
@@ -120,5 +130,60 @@ CLAIMS: tuple[Claim, ...] = (
         (Identity(_slope, "log(1+eps) as a symbol of its own"),),
         part="slope",
         kind="step",
+    ),
+    Claim(
+        ENTROPY,
+        "a smaller denominator",
+        "(1+eps)/(2+eps) log(1+eps) <= (1+eps)/2 log(1+eps)",
+        "eps >= 0",
+        (
+            Decision(
+                ("e", "log"),
+                lambda e, log: (
+                    [e >= 0, log >= 0],
+                    2 * (1 + e) * log,
+                    (1 + e) * (2 + e) * log,
+                ),
+                "log = log(1+eps) >= 0, times 2 (2 + eps)",
+                false=(
+                    lambda e, log: (
+                        [e >= 0, log >= 0],
+                        3 * (1 + e) * log,
+                        (1 + e) * (2 + e) * log,
+                    ),
+                ),
+            ),
+        ),
+        part="first",
+        kind="step",
+    ),
+    Claim(
+        ENTROPY,
+        "the chain for the derivative",
+        "g'(eps) >= 1/(2+eps) - 1/2 - eps/2 + eps = (2 - (2+eps)(1-eps))/(2 (2+eps)) = (eps + "
+        "eps^2)/(2 (2+eps)) >= 0",
+        "0 <= eps < sqrt(2)",
+        (
+            Decision(
+                ("e", "log", "w"),
+                lambda e, log, w: (
+                    [e >= 0, e * e < 2, log <= e, w * (2 - e * e) == 2 * e],
+                    -e / 2 + e,
+                    w - log / 2,
+                ),
+                "log = log(1+eps) <= eps, w = eps/(1 - eps^2/2) >= eps",
+                false=(
+                    lambda e, log, w: (
+                        [e >= 0, e * e < 2, log <= 2 * e, w * (2 - e * e) == 2 * e],
+                        -e / 2 + e,
+                        w - log / 2,
+                    ),
+                ),
+            ),
+            Identity(_chain, "both equalities, with an unlike factor u"),
+        ),
+        part="chain",
+        kind="step",
+        uses=(f"{ENTROPY}[slope]",),
     ),
 )

@@ -9,6 +9,7 @@ import numpy as np
 from ..claim import Claim
 from ..engines.search import Search, Trial
 from ..engines.symbolic import Identity
+from ._sums import counted
 
 LABEL = "nearsight:weighted-energy"
 
@@ -155,6 +156,15 @@ CLAIMS: tuple[Claim, ...] = (
         "the row "
         "of the agent itself",
         (
+            counted(
+                "eta_r",
+                "(E) with nu = N e^{-2 alpha |tau-t| - 2 beta d(u,v)} and geometric means for lam: "
+                "what it asks for is [bulk] away from the source and [source] there; an edge to "
+                "the boundary carries lam = N e^{-2 alpha j} e^{-beta (2r-1)} and pays (a_S "
+                "lam/4)|dz|^2, edges to what stays take lam = nu; summed over v a boundary agent "
+                "occurs once for each edge that leads to it from distance r - 1 of a v at "
+                "distance r",
+            ),
             Search(
                 _lateral,
                 "largest lateral sensitivity of random quadratic networks, random shares",
