@@ -1,0 +1,49 @@
+"""``{commands}``: what `nearsight COMMAND --help` says, for every command, as tables."""
+
+import click
+from docutils import nodes
+from nearsight.cli import cli
+from sphinx.util.docutils import SphinxDirective
+
+
+class Commands(SphinxDirective):
+    """List every command with its arguments and options."""
+
+    def run(self):
+        """Return one section a command."""
+        context = click.Context(cli, info_name="nearsight")
+        names = cli.list_commands(context)
+        return [self.section(name, cli.get_command(context, name)) for name in names]
+
+    def section(self, name, command):
+        """Return title, usage, help and a table of options."""
+        context = click.Context(command, info_name=f"nearsight {name}")
+        found = nodes.section(ids=[f"command-{name}"], names=[name])
+        found += nodes.title(name, name)
+        usage = " ".join(["nearsight", name, *command.collect_usage_pieces(context)])
+        found += nodes.literal_block(usage, usage, language="none")
+        for text in (command.help or "").split("\n\n"):
+            found += nodes.paragraph("", " ".join(text.split()))
+        rows = [p.get_help_record(context) for p in command.get_params(context)]
+        found += table([row for row in rows if row])
+        return found
+
+
+def table(rows):
+    """Return rows of option and help as a table."""
+    group = nodes.tgroup(cols=2)
+    group += [nodes.colspec(colwidth=35), nodes.colspec(colwidth=65)]
+    body = nodes.tbody()
+    for option, text in rows:
+        row = nodes.row()
+        row += nodes.entry("", nodes.paragraph("", "", nodes.literal(option, option)))
+        row += nodes.entry("", nodes.paragraph("", " ".join(text.split())))
+        body += row
+    group += body
+    return nodes.table("", group, classes=["options"])
+
+
+def setup(app):
+    """Register the directive."""
+    app.add_directive("commands", Commands)
+    return {"parallel_read_safe": True}
