@@ -10,7 +10,7 @@ import numpy as np
 
 from ..bounds import Setting
 from ..bounds.lower import final_excess, temporal_excess
-from ..graphs import InputError, Network
+from ..graphs import InputError, NearsightError, Network
 from ..lpc import Problem
 from ..lpc.information import check_sight
 from .asymmetric import asymmetric, asymmetric_excess
@@ -170,12 +170,15 @@ def _spatial(
 ) -> Part:
     if network is None:
         found = infinite_excess(s.growth, a_S, r)
-        known = "line, grid2 (r <= 100), tree:DELTA (r <= 2000), ring-of-blocks:D"
+        known = "line, grid2 (r <= 100, l_S <= 1e8 mu), tree:DELTA (r <= 2000), ring-of-blocks:D"
         reason = f"{s.growth.source}: known for {known}, and for finite graphs"
         return Part(found, reason="" if found is not None else reason)
     if network.vertices > LARGEST:
         return Part(None, reason=f"{network.vertices} agents; at most {LARGEST} are factorised")
-    charged = Spatial(network, a_S, r).search(progress)
+    try:
+        charged = Spatial(network, a_S, r).search(progress)
+    except NearsightError as error:
+        return Part(None, reason=str(error))
     best = charged.best
     agent = int(charged.agents[best])
     details = {"agent": agent, "name": network.names[agent], "tried": len(charged.agents)}
@@ -185,13 +188,17 @@ def _spatial(
 def _joint(network: Network | None, spatial: Part, a_T: float, a_S: float, k: int, r: int) -> Part:
     """Return the bound with all couplings at full strength, over ``k + 1`` steps."""
     if network is None or spatial.cr_minus_one is None:
-        return Part(None, reason="computed for finite graphs of moderate size")
+        finite = "computed for finite graphs of moderate size"
+        return Part(None, reason=finite if network is None else spatial.reason)
     H, N = k + 1, network.vertices
     if H * N > JOINT:
         return Part(None, reason=f"{H} steps of {N} agents; computed up to {JOINT} in all")
     whole = Joint(network, a_T, a_S, k, r, H)
     every = None if H * N <= SEARCHED else [whole.number(H, spatial.details["agent"])]
-    found = whole.charges(every)
+    try:
+        found = whole.charges(every)
+    except NearsightError as error:
+        return Part(None, reason=str(error))
     step, agent = divmod(int(found.agents[found.best]), N)
     details = {"horizon": H, "step": step + 1, "agent": agent, "name": network.names[agent]}
     return Part(float(found.ratios[found.best]), details)

@@ -10,10 +10,14 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
-from ..graphs import InputError
+from ..graphs import InputError, NearsightError
 from ..lpc.arrays import Floats, Ints
 
 ROUNDS = 2  # of refinement: strong couplings cost digits in the factors
+CREDIBLE = 1e-9  # how far ``(1 + e)' M^{-1} b`` may be off the sum of b, relatively
+TINY = np.finfo(np.float64).tiny
+
+TOO_STRONG = "couplings so much stronger than the node costs leave no digit of them"
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,15 +77,24 @@ class Grounded:
 
     @cached_property
     def _factors(self) -> Any:
-        return splu(
-            self.matrix,
-            permc_spec="MMD_AT_PLUS_A",
-            diag_pivot_thresh=0.0,
-            options={"SymmetricMode": True},
-        )
+        try:
+            return splu(
+                self.matrix,
+                permc_spec="MMD_AT_PLUS_A",
+                diag_pivot_thresh=0.0,
+                options={"SymmetricMode": True},
+            )
+        except RuntimeError as error:  # the factor is singular
+            raise NearsightError(TOO_STRONG) from error
 
     def solve(self, b: Floats) -> Floats:
-        """Return ``M^{-1} b`` for b of shape (n,) or (n, c)."""
+        """Return ``M^{-1} b`` for b of shape (n,) or (n, c).
+
+        Raises
+        ------
+        NearsightError
+            If the result is not that: where the weights swallow the ground, nothing is left.
+        """
         x: Floats = self._factors.solve(b)
         D, w, g = self._incidence, self.weight, self.ground
         if b.ndim == 2:
@@ -89,6 +102,9 @@ class Grounded:
         for _ in range(ROUNDS):
             # by differences: no rounding of the size of the diagonal
             x = x + self._factors.solve(b - g * x - D.T @ (w * (D @ x)))
+        off = np.abs((g * x).sum(axis=0) - b.sum(axis=0))  # M 1 = 1 + e
+        if not np.all(off <= CREDIBLE * np.abs(b).sum(axis=0) + TINY):
+            raise NearsightError(TOO_STRONG)
         return x
 
     def energy(self, x: Floats) -> Floats:

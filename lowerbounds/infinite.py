@@ -18,6 +18,7 @@ from .grounded import Grounded
 from .resolvent import off_diagonal, within_block
 
 LARGEST_RADIUS = 100  # of the grid, where a ball is factorised
+STRONGEST = 1e8  # l_S/mu of the grid: the angles needed grow with its root
 DEEPEST = 2000  # of trees, where levels are eliminated one by one
 
 
@@ -29,7 +30,7 @@ def infinite_excess(growth: Growth, a_S: float, r: int) -> float | None:
         return float(tree_excess(a_S, growth.max_degree, r))
     if isinstance(growth, RingOfBlocks):
         return ring_excess(a_S, growth.size, r)
-    if isinstance(growth, Grid2) and r <= LARGEST_RADIUS:
+    if isinstance(growth, Grid2) and r <= LARGEST_RADIUS and a_S <= STRONGEST:
         return grid_excess(a_S, r)
     return None
 

@@ -11,16 +11,17 @@ from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 
 from ..graphs import InputError, NearsightError
 from ..lpc.arrays import Floats
-from ..lpc.information import check_sight
+from ..lpc.costs import Quadratic
+from ..lpc.information import Balls
 from ..lpc.problem import Problem
 from ..lpc.workers import Workers
-from .deviation import Deviation
-from .energy import Energy
-from .inverse import Solve, solver
+from .pencil import Pencil
 
 Progress = Callable[[str], None]
 METHODS = ("auto", "dense", "lanczos")
 SMALL = 1000  # unknowns up to which the whole spectrum is computed
+LEAST = 1e-290  # below, a ratio minus 1 may be 0 for want of smaller numbers
+OVERFLOW = "numbers overflow: couplings so much stronger than the node costs are out of range"
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,13 +38,15 @@ class WorstCase:
         The ratio of that instance minus 1: it is attained.
     residual : float
         An eigenvalue of the operator P of `Pencil` lies within this distance above or below, up
-        to rounding. That no eigenvalue is larger is computed where `method` is ``"dense"``;
+        to rounding (couplings of 1e-8 beside others of 1e8 lose all digits of a 1e-42). That no eigenvalue is larger is computed where `method` is ``"dense"``;
         where it is ``"lanczos"`` the iteration converges to the largest from almost every start,
         which is no proof.
     method : str
-        ``"dense"``: the whole spectrum; ``"lanczos"``: an iteration; ``"exact"``: P = 0.
+        ``"dense"``: the whole spectrum; ``"lanczos"``: an iteration; ``"exact"``: P = 0,
+        or less than `LEAST`.
     reason : str
-        Why the ratio is 1 whatever the data, where P = 0; else empty.
+        Why the ratio is 1 whatever the data, where P = 0, or why it cannot be told from 1; else
+        empty.
     """
 
     problem: Problem
@@ -53,59 +56,6 @@ class WorstCase:
     residual: float
     method: str
     reason: str = ""
-
-
-@dataclass(frozen=True, eq=False)
-class Pencil:
-    """The operator whose largest eigenvalue is the worst ``CR - 1``::
-
-        P = T Q^{-1} K M^{-1} T' M.
-
-    LPC strays by ``delta = T D`` and pays ``|delta|_M^2 / 2`` too much; the optimum costs
-    ``D'(Q + Q K^+ Q) D / 2`` at the least for this D (`Energy`), and the pseudo-inverse of this
-    form is ``Q^{-1} K M^{-1}``. So with ``M = R R'`` the ratio is the largest eigenvalue of
-    ``R' T Q^{-1} K M^{-1} T' R``, and P is similar to it: selfadjoint and nonnegative in the inner
-    product of M. No matrix is singular, and no two nearly equal numbers are subtracted.
-
-    *The ratio cannot be unbounded.* The optimum costs at least ``|D|_Q^2 / 2``: data that cost it
-    nothing have D = 0, and LPC then pays nothing either (``T 0 = 0``). More than that,
-    ``CR - 1 <= |M^{1/2} T Q^{-1/2}|^2``. A policy that is no function of D could be unbounded.
-    """
-
-    energy: Energy
-    deviation: Deviation
-    solve: Solve
-
-    @classmethod
-    def of(
-        cls,
-        problem: Problem,
-        k: int,
-        r: int,
-        workers: Workers | None = None,
-        progress: Progress | None = None,
-    ) -> Pencil:
-        """Return the operator of a quadratic, unconstrained problem."""
-        check_sight(k, r)
-        energy = Energy.of(problem)
-        deviation = Deviation.of(energy.problem, k, r, workers, progress)
-        return cls(energy, deviation, solver(energy))
-
-    def pull(self, w: Floats) -> Floats:
-        """Return ``y = M^{-1} T' w``: the optimum of the data that w answers to."""
-        return self.solve(self.deviation.adjoint(w))
-
-    def push(self, y: Floats) -> Floats:
-        """Return ``T Q^{-1} K y``: how far LPC strays where the optimum is y."""
-        return self.deviation.apply(self.energy.gap(y))
-
-    def norm(self, delta: Floats) -> float:
-        """Return ``|delta|_M``."""
-        return float(np.sqrt(delta @ (self.energy.hessian @ delta)))
-
-    def ratio(self, y: Floats) -> float:
-        """Return ``cost(LPC)/cost(OPT) - 1`` where the optimum is y."""
-        return 0.5 * self.norm(self.push(y)) ** 2 / self.energy.optimum(y)
 
 
 def worst_case(
@@ -164,7 +114,10 @@ def worst_case(
         raise InputError(f"tolerance = {tolerance}: above 0, at most 0.01", "tolerance")
     pencil = Pencil.of(problem, k, r, Workers(workers), progress)
     start = np.random.default_rng(seed).normal(size=pencil.energy.size)
-    if pencil.norm(pencil.push(start)) == 0:
+    strayed = pencil.norm(pencil.push(start))
+    if not np.isfinite(strayed):
+        raise NearsightError(OVERFLOW)
+    if strayed == 0:
         return _nothing(pencil, k, r, start)
     size = pencil.energy.size
     if method == "auto" or size == 1:  # one number is no subspace to iterate in
@@ -174,20 +127,35 @@ def worst_case(
     y = pencil.pull(pencil.energy.hessian @ (z / pencil.norm(z)))
     value = pencil.ratio(y)
     if not np.isfinite(value):
-        raise NearsightError("the numbers of this network overflow: rescale its costs")
+        raise NearsightError(OVERFLOW)
     residual = pencil.norm(pencil.push(y) - value * z / pencil.norm(z))
     y = y / np.sqrt(pencil.energy.optimum(y))
     return WorstCase(pencil.energy.instance(y), k, r, value, residual, method)
 
 
 def _nothing(pencil: Pencil, k: int, r: int, y: Floats) -> WorstCase:
-    """Return the answer where LPC plays the optimum of all data."""
-    cost = pencil.energy.optimum(y)
-    reason = "k and r reach everything: LPC plays the optimum"
-    if cost == 0:
+    """Return the answer where LPC plays the optimum of all data, as far as numbers can tell."""
+    problem, cost = pencil.energy.problem, pencil.energy.optimum(y)
+    coupled = pencil.energy.couplings.count_nonzero() > 0
+    reason, residual = "k and r reach everything: LPC plays the optimum", 0.0
+    if not coupled:
         reason = "nothing is coupled: the optimum costs nothing, and neither does LPC"
+    elif not _everything(problem, k, r):
+        reason, residual = f"below {LEAST:g}: these couplings are as good as none", LEAST
     y = y / np.sqrt(cost) if cost > 0 else y
-    return WorstCase(pencil.energy.instance(y), k, r, 0.0, 0.0, "exact", reason)
+    return WorstCase(pencil.energy.instance(y), k, r, 0.0, residual, "exact", reason)
+
+
+def _everything(problem: Problem, k: int, r: int) -> bool:
+    """Return whether every local problem holds all that is coupled to its agent."""
+    in_time = k > problem.H or not _acts(problem.temporal)
+    if not _acts(problem.spatial):
+        return in_time
+    return in_time and bool(Balls.of(problem.network, r).distance.max() < r)
+
+
+def _acts(cost: object) -> bool:
+    return isinstance(cost, Quadratic) and bool(cost.matrix.any())
 
 
 def _dense(pencil: Pencil) -> Floats:

@@ -20,7 +20,7 @@ _KERNEL = "where the optimum costs nothing, LPC pays nothing: no ratio is unboun
 _PROOF = {
     "dense": "the largest eigenvalue, from the whole spectrum, up to rounding",
     "lanczos": "an eigenvalue within the residual; an iteration says that it is the largest",
-    "exact": "LPC never pays more than the optimum",
+    "exact": "LPC pays what the optimum does, whatever the data; see the reason",
 }
 
 

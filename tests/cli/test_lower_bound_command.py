@@ -113,3 +113,15 @@ def test_bad_input(text, parts, tmp_path, monkeypatch):
     for part in parts:
         assert part in done.stderr
     assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize("strength", ["1e17", "1e18", "1e300"])
+def test_couplings_that_leave_no_digit_of_node_costs(strength):
+    # the floor in time is a closed form; the others factorise a matrix
+    document = found(f"--graph ring:5 --mu 1 --l-f 1 --l-t {strength} --l-s {strength} -k 2 -r 1")
+    assert document["cr_minus_one"] == document["temporal"]["cr_minus_one"] > 0
+    for part in (document["spatial"], document["joint"]):
+        assert part["cr_minus_one"] is None
+        assert "no digit" in part["reason"]
+    grid = found(f"--growth grid2 --mu 1 --l-f 1 --l-t 1 --l-s {strength} -k 2 -r 100")
+    assert "1e8" in grid["spatial"]["reason"]

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from nearsight.bounds import Parameters, Setting, bounds_for
-from nearsight.graphs import InputError, network_growth, parse_graph
+from nearsight.graphs import InputError, Network, network_growth, parse_graph
 from nearsight.lowerbounds import Joint, Spatial, Temporal, floor
 from nearsight.lpc import simulate
 from nearsight.lpc.constants import constants
@@ -77,16 +77,21 @@ def test_lpc_pays_the_bound(case):
     assert (derived.l_T.value, derived.l_S.value) == pytest.approx((2 * a_T, 2 * a_S))
 
 
-@settings(max_examples=12)
-@given(
-    spec=st.sampled_from(["ring:7", "path:6", "star:5", "grid:3x3", "regular:3x8"]),
-    a=st.floats(-2, 1).map(lambda e: 10.0**e),
-    x=st.floats(-2, 1).map(lambda e: 10.0**e),
-    k=st.integers(2, 5),
-    r=st.integers(1, 3),
-)
-def test_all_bounds_are_below_the_certificates(spec, a, x, k, r):
-    network = parse_graph(spec)
+@st.composite
+def networks(draw):
+    """Any graph of at most eight vertices, disconnected ones among them."""
+    size = draw(st.integers(1, 8))
+    pairs = [(u, v) for v in range(size) for u in range(v)]
+    chosen = draw(st.lists(st.sampled_from(pairs), unique=True) if pairs else st.just([]))
+    return Network.from_edges(size, np.array(sorted(chosen), dtype=int).reshape(-1, 2))
+
+
+STRENGTHS = st.sampled_from([0.0, 1e-8, 0.01, 0.1, 0.5, 1.0, 3.0, 10.0, 1e3])
+
+
+@settings(max_examples=40)
+@given(networks(), STRENGTHS, STRENGTHS, st.integers(2, 5), st.integers(1, 3))
+def test_all_bounds_are_below_the_certificates(network, a, x, k, r):
     s = Setting(Parameters(2.0, 2.0, 2 * a, 2 * x), network_growth(network), k, r)
     found = floor(s, network, k, r)
     free = Setting(s.parameters, s.growth, k, r, unconstrained=True)

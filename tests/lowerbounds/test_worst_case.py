@@ -9,7 +9,8 @@ from nearsight.bounds import Setting, bounds_for
 from nearsight.lowerbounds.deviation import Deviation
 from nearsight.lowerbounds.energy import Energy
 from nearsight.lowerbounds.inverse import solver
-from nearsight.lowerbounds.worst_case import Pencil, worst_case
+from nearsight.lowerbounds.pencil import Pencil
+from nearsight.lowerbounds.worst_case import worst_case
 from nearsight.lpc import Controller, instance
 from nearsight.lpc.costs import LogCosh, Quadratic
 
@@ -316,3 +317,33 @@ def test_no_worst_case_exceeds_its_certificate(case):
         promised = bound.evaluate(setting).values["cr_minus_one"]
         if promised is not None:
             assert found.cr_minus_one <= promised * (1 + 1e-12)
+
+
+@pytest.mark.parametrize("unit", [1e-250, 1e-6, 1e6, 1e250])
+def test_the_unit_of_costs_does_not_matter(unit):
+    given = ns.Parameters(unit, 2 * unit, unit, 0.5 * unit)
+    one = ns.Parameters(1.0, 2.0, 1.0, 0.5)
+    ring = ns.parse_graph("ring:6")
+    found, known = (
+        worst_case(instance(ring, 4, p, style="tilted"), 3, 2).cr_minus_one for p in (given, one)
+    )
+    assert found == pytest.approx(known, rel=1e-12)
+
+
+def test_couplings_weaker_than_any_square():
+    # k = 1: LPC plays theta, D = (a/2) L y, and |D|^2/(y'(a/2) L y) is largest at the top of L
+    a, H = 1e-160, 4
+    L = np.diag([2.0] * (H - 1) + [1.0]) - np.eye(H, k=1) - np.eye(H, k=-1)
+    exact = a / 2 * np.linalg.eigvalsh(L)[-1]
+    found = worst_case(drawn("path:1", H, a, 0.0), 1, 0)
+    assert found.cr_minus_one == pytest.approx(exact, rel=1e-12)
+    far = worst_case(drawn("ring:6", 5, a, a), 3, 2)
+    assert (far.cr_minus_one, far.method) == (0.0, "exact")
+    assert far.residual > 0
+    assert "below 1e-290" in far.reason
+
+
+@pytest.mark.filterwarnings("error")
+def test_couplings_beyond_all_numbers():
+    with pytest.raises(ns.NearsightError, match="overflow"):
+        worst_case(drawn("ring:6", 5, 1e300, 1e300), 3, 2)
