@@ -73,7 +73,7 @@ def together(found: Sequence[Evidence]) -> Evidence:
         instances=sum(one.instances for one in found),
         details={
             "parts": [
-                {"engine": one.engine, "verdict": one.verdict}
+                {"engine": one.engine, "verdict": one.verdict, "reason": one.reason}
                 | ({"instance": one.instance} if one.instance else {})
                 | dict(one.details)
                 for one in found

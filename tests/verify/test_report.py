@@ -12,12 +12,14 @@ from nearsight.graphs import InputError
 from nearsight.verify import Claim
 from nearsight.verify.recorded import record
 from nearsight.verify.report.layout import layout
+from nearsight.verify.report.markdown import plain
 from nearsight.verify.report.mathml import mathml_of
-from nearsight.verify.report.prose import html_of
+from nearsight.verify.report.page import page
+from nearsight.verify.report.prose import coded, html_of
 from nearsight.verify.report.write import write
 from nearsight.verify.run import run
 
-from .small import ALGEBRA, FALSE, claims
+from .small import ALGEBRA, FALSE, SEARCH, claims
 
 VOID = {"meta", "br", "hr", "img", "input", "link"}
 
@@ -174,3 +176,23 @@ def test_formulas_become_mathml(formula, part):
     found = mathml_of(formula)
     assert part in found
     Page(found)
+
+
+def test_texts_keep_their_signs():
+    assert plain("|x_t*|^2 <= b_1 `a_b`") == r"\|x\_t\*\|^2 <= b\_1 `a_b`"
+    keys = ("thm:all[a]", "thm:all", "sec:x#y_z")
+    text = "by thm:all[a], thm:all and sec:x#y_z, not xthm:all"
+    assert coded(text, keys) == "by `thm:all[a]`, `thm:all` and `sec:x#y_z`, not xthm:all"
+    assert coded(text, ()) == text
+
+
+def test_several_checks_are_shown_one_by_one():
+    both = Claim("lemma:two", "two", "x <= 1", "", (ALGEBRA, SEARCH))
+    found = run(claims=[both])
+    evidence = found["lemma:two"].evidence
+    assert (evidence.verdict, evidence.engine) == ("proved", "symbolic + search")
+    assert [part["engine"] for part in evidence.details["parts"]] == ["symbolic", "search"]
+    text = page(found)
+    assert "<b>symbolic</b>" in text
+    assert "<b>search</b>" in text
+    assert "&quot;engine&quot;" not in text

@@ -93,6 +93,28 @@ def sample(
     return Sample(problem, parameters, network_growth(network), kk, rr, about)
 
 
+def certificate(given: Sample, variant: str, measured: float | None = None) -> float:
+    """Return the bound of ``nearsight:sharp-cr`` on ``CR - 1``, infinite where it does not close.
+
+    In plain floats, which is fast; as exactly as the theorem computes it if it does not exceed the
+    measured ratio by more than a millionth.
+    """
+    from ...bounds.certificate import best_shares, closing, cost_gap, excess_ratio, step_error
+    from ...bounds.formula import plain_floats
+
+    s = given.setting()
+    c, eta = s.couplings, s.growth.eta(s.r)
+    shares = best_shares(variant, c, eta, s.k, s.r)
+    with plain_floats():
+        error = step_error(c, eta, s.k, s.r, shares)
+        gap = cost_gap(variant, c, s.k, error)
+        open_ = not max(map(float, closing(c, gap, error))) > 0
+        found = np.inf if open_ else float(excess_ratio(c, gap, error))
+    if measured is not None and not measured < found * (1 - 1e-6):
+        return promised("nearsight:sharp-cr", "sharp", given, variant)
+    return found
+
+
 def promised(label: str, tier: str, given: Sample, variant: str = "") -> float:
     """Return what a theorem promises for ``CR - 1``, infinite where it promises nothing."""
     from ...bounds import bounds_for

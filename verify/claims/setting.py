@@ -19,7 +19,7 @@ def partial_cost() -> tuple[Q, Q]:
 
 def tree(r: int) -> int:
     """Return ``h(r) = 3 * 2^(r-1)`` of the infinite tree of degree 3."""
-    return 3 * 2 ** (r - 1)
+    return 3 << (r - 1)
 
 
 CLAIMS: tuple[Claim, ...] = (

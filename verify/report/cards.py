@@ -4,16 +4,22 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Collection, Mapping
 from html import escape, unescape
 from typing import Any
 
 from ..claim import Claim
 from ..evidence import Evidence
 from ..results import Report
-from .prose import html_of, plain_html
+from .prose import coded, html_of, plain_html
 from .words import SIGNS, effort, number, replay, sides, word_of
 
 _LONG = 90  # letters of a detail that is folded away
+
+
+def told(text: str, keys: Collection[str]) -> str:
+    """Return a text as HTML, keys of claims in it as code."""
+    return html_of(coded(text, keys))
 
 
 def chip(word: str) -> str:
@@ -44,12 +50,13 @@ def row(report: Report, claim: Claim, anchors: dict[str, str]) -> str:
 def erratum(report: Report, claim: Claim, anchors: dict[str, str]) -> str:
     """Return what is printed, where it fails, and what holds."""
     evidence = report[claim.key].evidence
-    repaired = html_of(claim.repaired) if claim.repaired else "<em>No repair is offered.</em>"
+    printed, reason = (told(text, anchors) for text in (claim.statement, evidence.reason))
+    repaired = told(claim.repaired, anchors) if claim.repaired else "<em>No repair is offered.</em>"
     found = (
         f'<article class="erratum"><h3>{html_of(claim.title)} {link(claim.key, anchors)}</h3>'
-        f'<div class="pair"><div class="printed"><h4>Printed</h4><p>{html_of(claim.statement)}</p>'
+        f'<div class="pair"><div class="printed"><h4>Printed</h4><p>{printed}</p>'
         f'</div><div class="holds"><h4>Holds</h4><p>{repaired}</p></div></div>'
-        f'<div class="fails"><h4>Where it fails</h4><p>{html_of(evidence.reason)}</p>'
+        f'<div class="fails"><h4>Where it fails</h4><p>{reason}</p>'
         f"{_instance(evidence)}</div></article>"
     )
     return _linked(found, anchors)
@@ -62,19 +69,19 @@ def card(report: Report, claim: Claim, anchors: dict[str, str]) -> str:
         f'<article class="card {word}" id="{anchors[claim.key]}"><header>'
         f"<h3>{html_of(claim.title)}</h3>{chip(word)}</header>"
         f'<p class="where"><code>{escape(claim.key)}</code> · {claim.kind}</p>'
-        f'<p class="statement">{html_of(claim.statement)}</p>'
+        f'<p class="statement">{told(claim.statement, anchors)}</p>'
     ]
     if claim.hypotheses:
-        parts.append(f'<p class="given"><b>Supposed</b> {html_of(claim.hypotheses)}</p>')
+        parts.append(f'<p class="given"><b>Supposed</b> {told(claim.hypotheses, anchors)}</p>')
     if claim.key in report.errors:
         parts.append(f'<p class="found"><b>No verdict</b> {escape(report.errors[claim.key])}</p>')
     else:
-        parts.append(_evidence(report[claim.key].evidence))
+        parts.append(_evidence(report[claim.key].evidence, anchors))
         if rests := report[claim.key].rests_on:
             named = ", ".join(link(key, anchors) for key in rests)
             parts.append(f'<p class="rests"><b>Its printed proof rests on</b> {named}</p>')
     if claim.repaired:
-        parts.append(f'<p class="mended"><b>Holds instead</b> {html_of(claim.repaired)}</p>')
+        parts.append(f'<p class="mended"><b>Holds instead</b> {told(claim.repaired, anchors)}</p>')
     if claim.uses:
         named = ", ".join(link(key, anchors) for key in claim.uses)
         parts.append(f'<p class="uses"><b>Uses</b> {named}</p>')
@@ -95,13 +102,23 @@ def _linked(html: str, anchors: dict[str, str]) -> str:
     return re.sub(r'(?<!">)<code>([^<]+)</code>(?! ·)', replaced, html)
 
 
-def _evidence(evidence: Evidence) -> str:
-    found = f'<p class="found"><b>{escape(evidence.engine)}</b> {html_of(evidence.reason)}</p>'
+def _evidence(evidence: Evidence, keys: Collection[str]) -> str:
+    """Return what was found; several checks one below the other."""
+    parts = evidence.details.get("parts")
+    several = parts or [
+        {"engine": evidence.engine, "reason": evidence.reason} | dict(evidence.details)
+    ]
+    found = ""
+    for part in several:
+        rest = dict(part)
+        engine, reason = rest.pop("engine"), told(rest.pop("reason"), keys)
+        rest.pop("verdict", None)
+        found += f'<p class="found"><b>{escape(engine)}</b> {reason}</p>' + _details(rest)
     if evidence.instance:
-        found += _instance(evidence)
-    elif sides(evidence):
-        found += f'<p class="sides">tightest seen: <b>{sides(evidence)}</b></p>'
-    return found + _details(evidence)
+        return found + _instance(evidence)
+    if sides(evidence):
+        return found + f'<p class="sides">tightest seen: <b>{sides(evidence)}</b></p>'
+    return found
 
 
 def _instance(evidence: Evidence) -> str:
@@ -113,10 +130,10 @@ def _instance(evidence: Evidence) -> str:
     return f'<dl class="instance">{cells}</dl>{both}'
 
 
-def _details(evidence: Evidence) -> str:
+def _details(details: Mapping[str, Any]) -> str:
     """Return short details in one line, long ones folded away."""
     short, long = [], ""
-    for name, value in evidence.details.items():
+    for name, value in details.items():
         text, title = _text(value), escape(name.replace("_", " "))
         if len(text) <= _LONG and "\n" not in text:
             short.append(f"{title} <code>{escape(text)}</code>")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 from ..claim import Claim
 from ..results import Report
@@ -26,6 +27,13 @@ def markdown(report: Report) -> str:
     return "\n\n".join(parts) + "\n"
 
 
+def plain(text: str) -> str:
+    """Return a text with what Markdown would read as its own signs escaped, outside code."""
+    pieces = text.split("`")
+    pieces[::2] = [re.sub(r"([\\*_|]|<(?=[a-zA-Z/!]))", r"\\\1", piece) for piece in pieces[::2]]
+    return "`".join(pieces)
+
+
 def _unusual(report: Report) -> list[str]:
     lines = [f"- changed: {change}" for change in report.changes]
     lines += [f"- {one.key}, check {one.check}: {one.outcome}: {one.text}" for one in report.weak]
@@ -39,13 +47,13 @@ def _erratum(report: Report, claim: Claim) -> str:
     evidence = report[claim.key].evidence
     lines = [
         f"### `{claim.key}`: {claim.title}",
-        f"Printed: {claim.statement}",
+        f"Printed: {plain(claim.statement)}",
         f"Instance: `{json.dumps(evidence.instance)}`",
     ]
     if sides(evidence):
         lines.append(f"There: {sides(evidence)}")
     if claim.repaired:
-        lines.append(f"Holds instead: {claim.repaired}")
+        lines.append(f"Holds instead: {plain(claim.repaired)}")
     return "\n\n".join(lines)
 
 
@@ -59,22 +67,22 @@ def _table(report: Report) -> str:
             extent = effort(verdict.evidence)
             engine = verdict.evidence.engine + (f", {extent}" if extent else "")
             rests = ", ".join(f"`{key}`" for key in verdict.rests_on)
-        title = claim.title.replace("|", "\\|")
+        title = plain(claim.title)
         lines.append(f"| {SIGNS[word]} {word} | `{claim.key}` | {title} | {engine} | {rests} |")
     return "\n".join(lines)
 
 
 def _claim(report: Report, claim: Claim) -> str:
     lines = [f"### {SIGNS[word_of(report, claim.key)]} `{claim.key}`: {claim.title}"]
-    lines.append(f"{claim.statement}")
+    lines.append(plain(claim.statement))
     if claim.hypotheses:
-        lines.append(f"Supposed: {claim.hypotheses}")
+        lines.append(f"Supposed: {plain(claim.hypotheses)}")
     if claim.key in report.errors:
         lines.append(f"No verdict: {report.errors[claim.key]}")
     else:
         verdict = report[claim.key]
         lines.append(
-            f"**{verdict.verdict}** ({verdict.evidence.engine}): {verdict.evidence.reason}"
+            f"**{verdict.verdict}** ({verdict.evidence.engine}): {plain(verdict.evidence.reason)}"
         )
         if verdict.rests_on:
             rests = ", ".join(f"`{key}`" for key in verdict.rests_on)

@@ -6,14 +6,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
+from functools import cache
 from html import escape
 
 from .mathml import GREEK, mathml_of
 
 _GREEK = re.compile(
-    r"(?<![A-Za-z])("
-    + "|".join(sorted((name for name in GREEK if name != "xi"), key=len, reverse=True))
-    + r")(?![a-z])"
+    r"(?<![A-Za-z])(" + "|".join(sorted(GREEK, key=len, reverse=True)) + r")(?![a-z])"
 )
 _SCRIPT = re.compile(
     r"(?<=[\w\u0303)\]*|‖}′'Σ∏→>])([_^])"
@@ -35,6 +35,29 @@ def html_of(text: str) -> str:
             formula, code = pieces[i + 1 : i + 3]
             found.append(mathml_of(formula) if formula else f"<code>{escape(code)}</code>")
     return "".join(found)
+
+
+def coded(text: str, keys: Collection[str]) -> str:
+    """Return a text with backticks around every key of a claim in it, so that it stays as it is.
+
+    Parameters
+    ----------
+    text : str
+    keys : collection of str
+        Those with a colon or a number sign are looked for.
+    """
+    pattern = _pattern(tuple(keys))
+    return pattern.sub(r"`\1`", text) if pattern else text
+
+
+@cache
+def _pattern(keys: tuple[str, ...]) -> re.Pattern[str] | None:
+    names = {name for key in keys for name in (key, key.partition("[")[0])}
+    marked = sorted((n for n in names if ":" in n or "#" in n), key=len, reverse=True)
+    if not marked:
+        return None
+    either = "|".join(re.escape(name) for name in marked)
+    return re.compile(rf"(?<![`\w])({either})(?![`\w])")
 
 
 def plain_html(text: str) -> str:
