@@ -98,9 +98,9 @@ def COMMAND(as_json: bool, **given: Any) -> None:
         print_json({"figures": [_document(one) for one in found]})
         return
     for one in found:
-        beside = "data reused" if one.reused else "data computed"
         kinds = " ".join(path.suffix for path in one.files)
-        click.echo(f"{one.files[0].with_suffix('')}  {kinds}  {beside}, {one.seconds:.1f} s")
+        beside = "  (from the data kept)" if one.reused else ""
+        click.echo(f"{one.files[0].with_suffix('')}  {kinds}{beside}")
     for one in found:
         for flaw in one.flaws:
             click.echo(f"{one.name}: {flaw}", err=True)

@@ -29,7 +29,7 @@ def test_a_figure_of_ones_own_network(tmp_path):
     # and again as a slide, from the data
     done = run("sandwich", *SMALL, "--reuse", "--size", "slides", "--formats", "png", cwd=tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.startswith("nearsight-figures/sandwich  .csv .png  data reused")
+    assert done.stdout == "nearsight-figures/sandwich  .csv .png  (from the data kept)\n"
 
 
 def test_a_figure_goes_by_its_label_in_the_paper(tmp_path):
