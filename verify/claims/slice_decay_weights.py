@@ -104,7 +104,6 @@ CLAIMS: tuple[Claim, ...] = (
                         2 * z * a,
                     ),
                 ),
-                seconds=20.0,
             ),
         ),
         part="d",

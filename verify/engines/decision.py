@@ -44,8 +44,9 @@ class Decision(Check):
         Statements near this one, of the same variables and roots, that do not hold; at least one.
     strict : bool
         The conclusion is ``left < right``.
-    seconds : float
-        Time for z3 at level ``"quick"``, the sixfold at level ``"full"``.
+    steps : int
+        Work that z3 may do at level ``"quick"``, in its own unit, the sixfold at level ``"full"``.
+        Work is counted, not timed, so that the answer does not depend on how busy the machine is.
 
     Raises
     ------
@@ -73,21 +74,21 @@ class Decision(Check):
     roots: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
     false: tuple[Statement, ...] = ()
     strict: bool = False
-    seconds: float = 5.0
+    steps: int = 10_000_000
 
     def __post_init__(self) -> None:
         names = [*self.variables, *self.roots]
-        if not self.variables or len(set(names)) != len(names) or not self.seconds > 0:
-            raise InputError("a decision needs distinct variables, and seconds > 0")
+        if not self.variables or len(set(names)) != len(names) or self.steps < 1:
+            raise InputError("a decision needs distinct variables, and steps >= 1")
 
     def run(self, level: Level) -> Evidence:
         """Ask z3 for a violation."""
         import z3
 
-        seconds = self.seconds * (1 if level == "quick" else 6)
+        steps = self.steps * (1 if level == "quick" else 6)
         context = z3.Context()  # of its own: the answer does not depend on what was asked before
         solver = z3.SolverFor("QF_NRA", ctx=context)
-        solver.set("timeout", int(1000 * seconds))
+        solver.set("rlimit", steps)
         free = [z3.Real(name, context) for name in self.variables]
         terms = list(free)
         for name, radicand in self.roots.items():
@@ -102,8 +103,8 @@ class Decision(Check):
         answer = solver.check()
         if answer == z3.unknown:
             raise RuntimeError(
-                f"z3 does not decide within {seconds:g} s: {solver.reason_unknown()} "
-                f"({self.reason}); clear denominators, or give it more seconds"
+                f"z3 does not decide within {steps} steps: {solver.reason_unknown()} "
+                f"({self.reason}); clear denominators, or give it more steps"
             )
         if answer == z3.sat:
             model = solver.model()
@@ -128,7 +129,7 @@ class Decision(Check):
                 self.roots,
                 (),
                 self.strict,
-                self.seconds,
+                self.steps,
             )
             for statement in self.false
         )
