@@ -9,7 +9,6 @@ import pytest
 from mpmath import mp
 
 from nearsight.verify import catalogue
-from nearsight.verify.mutation import EXACT
 from nearsight.verify.run import judge
 
 # fmt: off
@@ -69,22 +68,6 @@ def test_every_claim_gets_the_expected_verdict(key):
 def test_the_lists_above_name_claims():
     assert set(CLAIMS) >= REFUTED | SUPPORTED
     assert {c.key for c in catalogue()} >= set(CLAIMS)
-
-
-def rejected(mutant):
-    try:
-        return mutant.run("quick").verdict == "refuted"
-    except RuntimeError as error:
-        return "a coefficient is negative" in str(error)  # how `Nonnegative` rejects
-
-
-@pytest.mark.parametrize("key", CLAIMS)
-def test_mutants_are_rejected(key):
-    for check in CLAIMS[key].checks:
-        mutants = list(check.mutants())
-        assert mutants or isinstance(check, EXACT)
-        for mutant in mutants:
-            assert rejected(mutant)
 
 
 @pytest.mark.parametrize("key", sorted(REFUTED))

@@ -1,6 +1,5 @@
 """Claims on perturbations: verdicts, mutants, and the counterexamples redone by other means."""
 
-from contextlib import suppress
 from fractions import Fraction
 from functools import cache
 
@@ -32,7 +31,6 @@ from nearsight.verify.claims import (
     slice_decay,
     slice_decay_weights,
 )
-from nearsight.verify.engines.decision import Decision
 from nearsight.verify.engines.search import Search
 
 MODULES = (
@@ -82,16 +80,6 @@ def test_keys_are_there_and_the_uses_form_no_circle():
         free = {key for key, uses in left.items() if not uses & set(left)}
         assert free
         left = {key: uses for key, uses in left.items() if key not in free}
-
-
-@pytest.mark.parametrize("key", CLAIMS)
-def test_mutants_are_rejected(key):
-    for check in CLAIMS[key].checks:
-        mutants = tuple(check.mutants())
-        assert mutants or not isinstance(check, Search | Decision)
-        for mutant in mutants:
-            with suppress(RuntimeError):
-                assert mutant.run("quick").verdict == "refuted"
 
 
 def g(y):

@@ -118,7 +118,7 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         kind="step",
         uses=("thm:global-exp-decay",),
-        repaired="with the sharp C_G = a/(2 gamma_T sqrt(1+a)), or the repaired one",
+        repaired="with the C_G of thm:global-exp-decay[r], or of nearsight:slice-decay",
     ),
     Claim(
         "thm:per-step-err:e2-1",
@@ -136,7 +136,7 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         kind="step",
         uses=("thm:global-exp-decay",),
-        repaired="with C_0 = max(1, C_G) for the repaired C_G = c(1+2a) a/(2 gamma_T)",
+        repaired="with C_0 = max(1, C_G), C_G that of thm:global-exp-decay[r]",
     ),
     Claim(
         "thm:oracle-perf-bound:e1:s2",

@@ -133,7 +133,7 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         part="scale",
         kind="remark",
-        repaired="its supremum over all scales, mu/l_T",
+        repaired="its supremum over all scales, mu/l_T; nearsight:temporal-lower-bound has no unit",
     ),
     Claim(
         "thm:bottleneck:e2",

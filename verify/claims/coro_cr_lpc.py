@@ -134,7 +134,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         part="r=0",
-        repaired="for r >= 1, where the local problem has a free variable",
+        repaired="for r >= 1, where the local problem has a free variable: coro:CR-LPC[repaired]",
     ),
     Claim(
         COROLLARY,
@@ -181,7 +181,7 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         part="O",
         kind="remark",
-        repaired="O(C_3(r)^2 rho_T^{k-1}), as (e1) has it",
+        repaired="O(C_3(r)^2 rho_T^{k-1}), as coro:CR-LPC:e1 has it",
     ),
     Claim(
         COROLLARY,

@@ -130,7 +130,8 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         kind="step",
-        repaired="for even N, or with >= for =, which is what is used",
+        repaired="for even N, or with >= for =, which is what is used: all terms of "
+        f"{EQUATION}[series] are >= 0",
     ),
     Claim(
         f"{EQUATION}:e2",
@@ -173,7 +174,7 @@ CLAIMS: tuple[Claim, ...] = (
         part="m=0",
         kind="step",
         uses=(f"{EQUATION}:e2",),
-        repaired="without the factor kappa",
+        repaired=f"without the factor kappa: {LEMMA}[repaired]",
     ),
     Claim(
         f"{EQUATION}:e3",

@@ -84,7 +84,7 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         part="b",
         kind="step",
-        repaired="tau in {t-1, ..., t+k-1}.",
+        repaired=f"tau in {{t-1, ..., t+k-1}}: {LABEL}:e1[r].",
     ),
     Claim(
         f"{LABEL}:e1",

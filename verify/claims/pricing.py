@@ -104,7 +104,7 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         part="b_{H+1}",
         kind="remark",
-        repaired="with b_{H+1} = 0",
+        repaired=f"with b_{{H+1}} = 0: {PLACE}equivalence[repaired]",
     ),
     Claim(
         f"{PLACE}equivalence",

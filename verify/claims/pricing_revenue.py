@@ -82,7 +82,8 @@ CLAIMS: tuple[Claim, ...] = (
         part="x_0",
         kind="lemma",
         uses=("apx:application#equivalence",),
-        repaired="with sum_v b_1 x_0^2/2 in the constant",
+        repaired="for x_0 = 0, le:cr-rev[repaired]; else with sum_v b_1 x_0^2/2 in C, by "
+        "apx:application#equivalence[repaired]",
     ),
     Claim(
         LEMMA,

@@ -187,6 +187,6 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         part="case 1",
         kind="step",
-        repaired="with <=, which is what is used",
+        repaired=f"with <=, which is what is used: {SPATIAL}[case 1 lines]",
     ),
 )

@@ -38,7 +38,7 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         kind="definition",
         repaired="E(S_+), as in the text and in what an agent is told: equ:LPC-opt-problem counts "
-        "the edges E(N_v^r).",
+        "the edges E(N_v^r), and sec:main:perturb#optimality needs them.",
     ),
     Claim(
         "sec:look-ahead-and-communication#horizon",

@@ -127,7 +127,7 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         part="minimiser",
         kind="step",
-        repaired="x* = -(I + l L)^{-1} w; nothing else changes",
+        repaired=f"x* = -(I + l L)^{{-1}} w; nothing else changes: {THEOREM}[value]",
     ),
     Claim(
         THEOREM,
@@ -144,7 +144,8 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         part="atoms",
         kind="step",
-        repaired="for distributions without atoms; or compare expectations only",
+        repaired="for distributions without atoms; or compare expectations only, as "
+        "nearsight:team-lower-bound does",
     ),
     Claim(
         "thm:spatial_lower_bound:e1",
@@ -191,7 +192,8 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         kind="step",
         uses=("thm:spatial_lower_bound:e1", "lemma:inverse-graph-lower-bound"),
-        repaired="with the square of the rate of an entry: g(4 d l)^{2r}",
+        repaired="with the square of the rate of an entry: g(4 d l)^{2r}, "
+        "nearsight:ring-of-blocks[entries]",
     ),
     Claim(
         "thm:spatial_lower_bound:e3",
