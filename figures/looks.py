@@ -72,3 +72,5 @@ VERDICTS = {"proved": "#0072B2", "supported": "#56B4E9", "refuted": "#D55E00"}
 INK, FAINT, PAPER = "#222222", "#9A9A9A", "#FFFFFF"
 OWN, TOP, LATERAL, BOTTOM = "#E69F00", "#0072B2", "#56B4E9", "#009E73"
 """Of an agent's local problem: its own action, and the three parts of the boundary."""
+TEMPORAL, SPATIAL = "#CC79A7", "#0072B2"
+"""Of the costs that couple an agent's steps, and neighbours."""
