@@ -1,7 +1,7 @@
 """What can nobody beat? Lower bounds for any decentralised online algorithm, with instances."""
 
 from .asymmetric import Asymmetric, asymmetric, asymmetric_excess
-from .augmentation import Augmented, PrintedRates, augmentation, printed_rates
+from .augmentation import Augmented, augmentation, augmented
 from .claimed import Claimed
 from .climb import Searched, search_couplings
 from .constrained import Constrained, search_constrained
@@ -9,6 +9,7 @@ from .floor import Floor, floor
 from .infinite import infinite_excess
 from .joint import Joint
 from .lemmas import central_binomial, entropy
+from .rates import PrintedRates, Supremum, printed_rates, spatial_supremum, temporal_supremum
 from .ring import Ring
 from .rows import Row, Sandwich, Violation, write_csv
 from .sandwich import sandwich
@@ -34,12 +35,14 @@ __all__ = [
     "Searched",
     "Spatial",
     "Stated",
+    "Supremum",
     "Temporal",
     "Violation",
     "WorstCase",
     "asymmetric",
     "asymmetric_excess",
     "augmentation",
+    "augmented",
     "central_binomial",
     "conditional_policy",
     "entropy",
@@ -50,8 +53,10 @@ __all__ = [
     "sandwich",
     "search_constrained",
     "search_couplings",
+    "spatial_supremum",
     "stated_temporal_excess",
     "team_policy",
+    "temporal_supremum",
     "worst_case",
     "write_csv",
 ]

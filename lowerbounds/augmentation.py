@@ -5,21 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import ArrayLike
-
 from ..bounds import Pair, Parameters, Setting
-from ..bounds.lower import best_excess
 from ..bounds.planner import plan_excess
-from ..bounds.resource import spatial_ratio_of_printed_rates, temporal_ratio_of_printed_rates
 from ..graphs import InputError, Network, network_growth
-from ..lpc.arrays import Floats, integer
+from ..lpc.arrays import integer
 from ..lpc.instances import instance
+from .floor import floor
+from .rows import Row
 from .styles import quadratic_style
 from .worst_case import worst_case
 
 Progress = Callable[[str], None]
-PRINTED = (4.0, 32.0)  # k/k* and r/r* of the paper
 
 
 @dataclass(frozen=True)
@@ -31,8 +27,8 @@ class Augmented:
     k_star, r_star : int
         Look-ahead and radius of the best algorithm.
     lower : float
-        No algorithm with these has a smaller ``CR - 1`` over all costs with the constants and
-        the largest degree given.
+        No algorithm with these has a smaller ``CR - 1`` over all costs with the constants on
+        this network: the largest bound of `nearsight.lowerbounds.floor`.
     measured : tuple of Pair
         All minimal ``(k, r)`` with which the worst case of LPC over the data of one network with
         uniform couplings is at most `lower`; empty if none was found in the range searched. Over
@@ -107,12 +103,32 @@ def augmentation(
     setting = Setting(parameters, network_growth(network), unconstrained=True)
     found = []
     for k, r in stars:
-        lower = float(best_excess(setting.a_T, setting.a_S, setting.max_degree, k, r))
-        certified = plan_excess(setting, lower, "sharp").frontier if lower > 0 else ()
-        found.append(Augmented(k, r, lower, _minimal(measured, lower), certified))
+        lower = floor(setting, network, k, r).cr_minus_one
+        found.append(_augmented(setting, k, r, lower, measured))
         if progress is not None:
             progress(f"k* = {k}, r* = {r}: planned")
     return tuple(found)
+
+
+def augmented(rows: Iterable[Row], setting: Setting) -> tuple[Augmented, ...]:
+    """Return the same for every ``(k*, r*)`` of a sandwich, LPC measured at its pairs.
+
+    Parameters
+    ----------
+    rows : iterable of Row
+    setting : Setting
+        Constants and network, every set all of R^n.
+    """
+    rows = tuple(rows)
+    measured = tuple(Pair(row.k, row.r, row.worst, "worst case") for row in rows)
+    return tuple(_augmented(setting, row.k, row.r, row.lower, measured) for row in rows)
+
+
+def _augmented(
+    setting: Setting, k: int, r: int, lower: float, measured: tuple[Pair, ...]
+) -> Augmented:
+    certified = plan_excess(setting, lower, "sharp").frontier if lower > 0 else ()
+    return Augmented(k, r, lower, _minimal(measured, lower), certified)
 
 
 def scan(
@@ -146,46 +162,3 @@ def _minimal(pairs: tuple[Pair, ...], excess: float) -> tuple[Pair, ...]:
         if p.excess <= excess and (not best or p.r < best[-1].r):
             best.append(p)
     return tuple(best)
-
-
-@dataclass(frozen=True, eq=False)
-class PrintedRates:
-    """The asymptotic factors that the printed rates give, beside those that are printed.
-
-    Parameters
-    ----------
-    coupling : ndarray, shape (m,)
-        ``l_T/mu`` for `temporal`, ``Delta l_S/mu`` for `spatial`.
-    temporal, spatial : ndarray, shape (m,)
-        ``log lambda_T/log rho_T`` and ``2 log lambda_S/log rho_S``.
-    """
-
-    coupling: Floats
-    temporal: Floats
-    spatial: Floats
-
-    @property
-    def exceeding(self) -> tuple[Floats, Floats]:
-        """The couplings at which the rates ask for more than 4, and for more than 32."""
-        above = (self.temporal > PRINTED[0], self.spatial > PRINTED[1])
-        return self.coupling[above[0]], self.coupling[above[1]]
-
-
-def printed_rates(couplings: ArrayLike | None = None) -> PrintedRates:
-    """Return the factors of the printed rates over a range of couplings.
-
-    Parameters
-    ----------
-    couplings : array_like, optional
-        Positive; if omitted, from 1e-12 to 1e12, 20 a decade.
-
-    References
-    ----------
-    Paper, ``coro:resource-augmentation``, ``thm:bottleneck``, ``thm:networked-exp-decay``.
-    """
-    grid = np.logspace(-12, 12, 481) if couplings is None else np.asarray(couplings, dtype=float)
-    if grid.ndim != 1 or not (np.isfinite(grid) & (grid > 0)).all():
-        raise InputError("couplings: a list of positive numbers is needed", "couplings")
-    return PrintedRates(
-        grid, temporal_ratio_of_printed_rates(grid), spatial_ratio_of_printed_rates(grid)
-    )

@@ -38,9 +38,9 @@ class WorstCase:
         The ratio of that instance minus 1: it is attained.
     residual : float
         An eigenvalue of the operator P of `Pencil` lies within this distance above or below, up
-        to rounding (couplings of 1e-8 beside others of 1e8 lose all digits of a 1e-42). That no eigenvalue is larger is computed where `method` is ``"dense"``;
-        where it is ``"lanczos"`` the iteration converges to the largest from almost every start,
-        which is no proof.
+        to rounding (couplings of 1e-8 beside others of 1e8 lose all digits of a 1e-42). That no
+        eigenvalue is larger is computed where `method` is ``"dense"``; where it is ``"lanczos"``
+        the iteration converges to the largest from almost every start, which is no proof.
     method : str
         ``"dense"``: the whole spectrum; ``"lanczos"``: an iteration; ``"exact"``: P = 0,
         or less than `LEAST`.

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .api import Graph
+    from .lowerbounds.augmentation import Augmented
     from .lowerbounds.rows import Sandwich
 
 
@@ -65,3 +66,42 @@ def sandwich(
     if save is not None:
         write_csv(found, save)
     return found
+
+
+def augmentation(
+    found: Sandwich,
+    *,
+    graph: Graph,
+    mu: float,
+    l_f: float,
+    l_T: float,
+    l_S: float,
+    clean: bool = False,
+    seed: int = 0,
+) -> tuple[Augmented, ...]:
+    """Return for every ``(k*, r*)`` of a sandwich what LPC needs to do as well as anybody could.
+
+    Parameters
+    ----------
+    found : Sandwich
+        From `sandwich` with the same arguments.
+    graph, mu, l_f, l_T, l_S, clean, seed
+        See `sandwich`.
+
+    Examples
+    --------
+    >>> import nearsight as ns
+    >>> from nearsight.sandwiching import augmentation
+    >>> given = dict(graph="ring:6", mu=1, l_f=1, l_T=1, l_S=0.5)
+    >>> found = ns.sandwich(**given, horizon=5, ks=[2, 3, 4], rs=[1, 2, 3])
+    >>> least = augmentation(found, **given)[0]
+    >>> (least.k_star, least.r_star), [(p.k, p.r) for p in least.measured], least.factors
+    ((2, 1), [(3, 2)], (1.5, 2.0))
+    """
+    from .api import network, setting
+    from .lowerbounds import augmented
+
+    asked = setting(
+        mu=mu, l_f=l_f, l_T=l_T, l_S=l_S, graph=network(graph, seed, clean), unconstrained=True
+    )
+    return augmented(found.rows, asked)

@@ -41,6 +41,11 @@ _RUN = [
         metavar="KMAX,RMAX",
         help="In place of -k and -r: lower bound, worst case and certificates of all k and r.",
     ),
+    click.option(
+        "--augmentation",
+        is_flag=True,
+        help="With --table: the k and r with which LPC does as well as anybody could.",
+    ),
     click.option("--csv", type=_FILE, help="With --table: write the rows to a file."),
     click.option(
         "--checkpoint",
@@ -68,6 +73,7 @@ _RUN = [
 def COMMAND(
     table: str | None,
     csv: Path | None,
+    augmentation: bool,
     k: int | None,
     r: int | None,
     as_json: bool,
@@ -87,11 +93,14 @@ def COMMAND(
     progress = Progress()
     with input_errors():
         if table is not None:
-            _table(_bounds(table), csv, {"-k": k, "-r": r}, as_json, given, progress)
+            given |= {"csv": csv, "augmentation": augmentation}
+            _table(_bounds(table), {"-k": k, "-r": r}, as_json, given, progress)
             return
-        if k is None or r is None or csv is not None:
-            wrong = "--csv needs --table" if csv is not None else "-k and -r needed, or --table"
-            raise click.UsageError(wrong)
+        for option, used in (("--csv", csv is not None), ("--augmentation", augmentation)):
+            if used:
+                raise click.UsageError(f"{option} needs --table")
+        if k is None or r is None:
+            raise click.UsageError("-k and -r needed, or --table")
         from ..worsening import worst_case
 
         file, drawn = _instance(given)
@@ -145,14 +154,13 @@ def _bounds(text: str) -> tuple[int, int]:
 
 def _table(
     most: tuple[int, int],
-    csv: Path | None,
     sight: dict[str, int | None],
     as_json: bool,
     given: dict[str, Any],
     progress: Progress,
 ) -> None:
     """Print the sandwich for all k and r up to the largest."""
-    from ..sandwiching import sandwich
+    from ..sandwiching import augmentation, sandwich
     from .worst_tables import print_rows, rows
 
     unused = [name for name, value in sight.items() if value is not None]
@@ -162,19 +170,20 @@ def _table(
         raise click.UsageError(f"--table: {', '.join(unused)} would have no effect; leave it out")
     _needed(given)
     start = time.perf_counter()
-    names = ("graph", "mu", "l_f", "l_T", "l_S", "horizon", "clean", "seed", "style")
+    class_of = ("graph", "mu", "l_f", "l_T", "l_S", "clean", "seed")
     found = sandwich(
         ks=range(2, most[0] + 1),
         rs=range(1, most[1] + 1),
-        save=csv,
+        save=given["csv"],
         starts=given["search"],
-        workers=given["workers"],
-        checkpoint=given["checkpoint"],
         progress=progress,
-        **{name: given[name] for name in names},
+        **{name: given[name] for name in (*class_of, "horizon", "style", "workers", "checkpoint")},
     )
+    needed = None
+    if given["augmentation"]:
+        needed = augmentation(found, **{name: given[name] for name in class_of})
     progress.close()
     if as_json:
-        print_json(rows(found, given, time.perf_counter() - start))
+        print_json(rows(found, needed, given, time.perf_counter() - start))
     else:
-        print_rows(found)
+        print_rows(found, needed)

@@ -11,6 +11,8 @@ import click
 from .tables import number, show, table
 
 if TYPE_CHECKING:
+    from ..bounds import Pair
+    from ..lowerbounds import Augmented
     from ..lowerbounds.climb import Searched
     from ..lowerbounds.rows import Sandwich
     from ..worsening import Worsened
@@ -106,7 +108,9 @@ def print_worst(found: Worsened, saved: Path | None) -> None:
         click.echo(f"instance          {saved}")
 
 
-def rows(found: Sandwich, given: dict[str, Any], seconds: float) -> dict[str, Any]:
+def rows(
+    found: Sandwich, needed: tuple[Augmented, ...] | None, given: dict[str, Any], seconds: float
+) -> dict[str, Any]:
     """Return the JSON of `worst-case --table`."""
     return {
         "graph": {"source": given["graph"]},
@@ -115,12 +119,33 @@ def rows(found: Sandwich, given: dict[str, Any], seconds: float) -> dict[str, An
         "style": given["style"],
         "rows": [asdict(row) for row in found.rows],
         "violations": [asdict(v) for v in found.violations],
+        **({} if needed is None else {"augmentation": _augmentation(needed)}),
         "seconds": seconds,
     }
 
 
-def print_rows(found: Sandwich) -> None:
-    """Print the sandwich, one row a pair, then what is violated."""
+def _augmentation(needed: tuple[Augmented, ...]) -> dict[str, Any]:
+    from ..lowerbounds import spatial_supremum, temporal_supremum
+
+    return {
+        "pairs": [
+            {
+                "k_star": star.k_star,
+                "r_star": star.r_star,
+                "lower": star.lower,
+                "measured": [[p.k, p.r] for p in star.measured],
+                "factors": star.factors,
+                "certified": [[p.k, p.r] for p in star.certified],
+                "certified_factors": star.certified_factors,
+            }
+            for star in needed
+        ],
+        "printed_rates": {"k": asdict(temporal_supremum()), "r": asdict(spatial_supremum())},
+    }
+
+
+def print_rows(found: Sandwich, needed: tuple[Augmented, ...] | None) -> None:
+    """Print the sandwich, one row a pair, what is violated, and what LPC needs."""
     lines = table("k", "r", "lower bound", "worst case", "searched", "stated", "repaired", "sharp")
     for row in found.rows:
         values = (row.lower, row.worst, row.searched, row.stated, row.repaired, row.sharp)
@@ -135,3 +160,36 @@ def print_rows(found: Sandwich) -> None:
         )
     if not found.violations:
         click.echo("no certificate is violated")
+    if needed is not None:
+        _print_needed(needed)
+
+
+def _print_needed(needed: tuple[Augmented, ...]) -> None:
+    from ..lowerbounds import spatial_supremum, temporal_supremum
+
+    lines = table("k*", "r*", "measured k, r", "k/k*", "r/r*", "certified k, r", "k/k*", "r/r*")
+    for star in needed:
+        cells = [str(star.k_star), str(star.r_star)]
+        for pairs, factors in (
+            (star.measured, star.factors),
+            (star.certified, star.certified_factors),
+        ):
+            cells += [_least(pairs), *(map(number, factors) if factors else ("-", "-"))]
+        lines.add_row(*cells)
+    click.echo(
+        "\nLPC does as well as any algorithm with k*, r* from k, r on: measured as the worst"
+    )
+    click.echo("case within this table, certified over all costs")
+    show(lines)
+    k, r = temporal_supremum(), spatial_supremum()
+    click.echo(
+        f"asymptotically the printed rates ask for k/k* up to {number(k.value)} (as l_T vanishes), "
+        f"r/r* up to\n{number(r.value)} (at Delta l_S/mu = {number(r.coupling)}); "
+        "the paper says 4 and 32"
+    )
+
+
+def _least(pairs: tuple[Pair, ...]) -> str:
+    """Return the pair of least ``k + r``, to which the factors belong."""
+    least = min(pairs, key=lambda p: (p.k + p.r, p.k), default=None)
+    return "-" if least is None else f"{least.k}, {least.r}"

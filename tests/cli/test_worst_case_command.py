@@ -130,6 +130,33 @@ def test_the_table(tmp_path):
     assert "2.44983" in printed
 
 
+def test_resource_augmentation():
+    words = [*WORDS, "--table", "4,3", "--augmentation"]
+    found = worst(*words)
+    pairs = found["augmentation"]["pairs"]
+    assert [(p["k_star"], p["r_star"]) for p in pairs] == [
+        (row["k"], row["r"]) for row in found["rows"]
+    ]
+    for p, row in zip(pairs, found["rows"], strict=True):
+        assert p["lower"] == row["lower"]
+        enough = [(q["k"], q["r"]) for q in found["rows"] if q["worst"] <= row["lower"]]
+        assert {tuple(pair) for pair in p["measured"]} <= set(enough)
+        assert bool(p["measured"]) == bool(enough)
+        for k, r in p["certified"]:
+            sharp = ns.bound(
+                **{name: GIVEN[name] for name in ("graph", "mu", "l_f", "l_T", "l_S")},
+                k=k,
+                r=r,
+                unconstrained=True,
+                label="nearsight:sharp-cr",
+            )
+            assert min(b.values["cr_minus_one"] for b in sharp) <= row["lower"]
+    assert found["augmentation"]["printed_rates"]["k"] == {"value": 4.0, "coupling": 0.0}
+    printed = run(*words).stdout
+    assert "r/r* up to\n36.0706" in printed
+    assert "3, 2       1.5" in printed
+
+
 BAD = [
     ([*WORDS, "-k", 0, "-r", 1], "-k: k = 0"),
     ([*WORDS, "-k", 2, "-r", -1], "-r: r = -1"),
@@ -147,6 +174,7 @@ BAD = [
     ([*WORDS, *SIGHT, "--problem", "x.npz"], "leave it out"),
     (["--problem", "none.npz", *SIGHT], "no such file"),
     ([*WORDS, *SIGHT, "--csv", "x.csv"], "--csv needs --table"),
+    ([*WORDS, *SIGHT, "--augmentation"], "--augmentation needs --table"),
     ([*WORDS, *SIGHT, "--checkpoint", "x"], "--checkpoint needs --table or --search"),
     ([*WORDS, "--table", "2,1", "--checkpoint", "none/x"], "checkpoint none/x"),
     ([*WORDS, *SIGHT, "--search", 1, "--checkpoint", __file__], "it is no file of climbs"),

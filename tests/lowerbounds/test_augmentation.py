@@ -2,13 +2,23 @@ import numpy as np
 import pytest
 
 import nearsight as ns
-from nearsight.bounds.lower import best_excess
-from nearsight.lowerbounds import augmentation, printed_rates, worst_case
-from nearsight.lowerbounds.augmentation import PRINTED, scan
+from nearsight.lowerbounds import (
+    augmentation,
+    augmented,
+    floor,
+    printed_rates,
+    sandwich,
+    spatial_supremum,
+    temporal_supremum,
+    worst_case,
+)
+from nearsight.lowerbounds.augmentation import scan
+from nearsight.lowerbounds.rates import PRINTED
 from nearsight.lpc import instance
 
 NETWORK = ns.parse_graph("ring:9")
 GIVEN = ns.Parameters(2.0, 2.0, 2.0, 1.0)  # a = x = 1
+SETTING = ns.Setting(GIVEN, ns.network_growth(NETWORK), unconstrained=True)
 STARS = [(1, 1), (2, 2), (3, 1)]
 
 
@@ -21,7 +31,7 @@ def test_measured_pairs_reach_the_lower_bound_and_smaller_ones_do_not(found):
     problem = instance(NETWORK, 7, GIVEN)
     for row, (k_star, r_star) in zip(found, STARS, strict=True):
         assert (row.k_star, row.r_star) == (k_star, r_star)
-        assert row.lower == best_excess(1.0, 0.5, 2, k_star, r_star)
+        assert row.lower == floor(SETTING, NETWORK, k_star, r_star).cr_minus_one
         assert row.measured
         for p in row.measured:
             assert p.excess == worst_case(problem, p.k, p.r).cr_minus_one <= row.lower
@@ -70,6 +80,45 @@ def test_printed_rates_over_the_whole_range():
     assert not len(in_time)
     assert 200 < in_space.min() < in_space.max() < 750  # 32 is exceeded there
     assert found.spatial.max() > 35
+
+
+def test_a_sandwich_says_the_same():
+    rows = sandwich(NETWORK, 7, GIVEN, range(2, 7), range(1, 5)).rows
+    stars = [(row.k, row.r) for row in rows]
+    other = augmentation(NETWORK, 7, GIVEN, stars, k_max=6, r_max=4)
+    for one, two in zip(augmented(rows, SETTING), other, strict=True):
+        assert (one.k_star, one.r_star, one.lower) == (two.k_star, two.r_star, two.lower)
+        assert (one.measured, one.certified) == (two.measured, two.certified)
+        assert one.factors == two.factors
+
+
+def test_the_supremum_in_space_by_intervals():
+    # over all x > 0, y = 1/sqrt(x): 4 log lambda_S/log g(x), log g = -2 asinh(y), in intervals
+    from flint import arb, ctx
+
+    most, at = spatial_supremum().value, spatial_supremum().coupling
+    ctx.prec = 80
+    c = arb(48).sqrt()
+
+    def below(low, high, limit, depth=0):
+        y = arb.union(arb(low), arb(high))
+        weak = 2 * (3 + 3 * y * y).log() / y.asinh()
+        strong = -4 * (1 - c * y).log() / y.asinh() if 7 * high < 1 else weak
+        if weak < limit or strong < limit:
+            return True
+        middle = (low + high) / 2
+        return depth < 60 and all(
+            below(*p, limit, depth + 1) for p in ((low, middle), (middle, high))
+        )
+
+    # y < 1e-3: strong <= 4 c/(1 - c y) y/asinh(y) < 28; y > 100: weak < 6
+    assert 4 * c / (1 - c * arb("0.001")) * arb("1.001") < 28
+    assert below(1e-3, 100.0, arb(most) + arb("1e-6"))
+    assert not below(1e-3, 100.0, arb(most) - arb("1e-6"))
+    assert printed_rates([at]).spatial[0] == pytest.approx(most, rel=1e-12)
+    found = printed_rates()
+    assert found.spatial.max() <= most
+    assert found.temporal.max() <= temporal_supremum().value
 
 
 def test_the_printed_spatial_factor_by_hand():
