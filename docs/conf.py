@@ -19,11 +19,18 @@ extensions = [
     "sphinx-mathjax-offline",  # MathJax beside the pages: formulas need no network
     "commands",
     "errata",
+    "frontdoor",
     "gallery",
     "verdicts",
 ]
 exclude_patterns = ["ext"]
 nitpicky = True
+nitpick_ignore_regex = [
+    # The types of attributes are prose ("ndarray, shape (N,)"), which napoleon takes for classes.
+    ("py:class", r"(?!nearsight\.).*"),
+    # In backticks of docstrings also stand arguments and private names: plain code, no link.
+    ("py:obj", r"(?!nearsight\.\w+$).*"),
+]
 
 myst_enable_extensions = ["attrs_block", "colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3
@@ -33,7 +40,7 @@ default_role = "autolink"
 add_module_names = False
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"  # the types stand in the docstrings, with shapes
-autodoc_default_options = {"members": True, "show-inheritance": False}
+autodoc_default_options = {"members": True}
 napoleon_google_docstring = False
 napoleon_use_param = False  # types as prose: "ndarray, shape (N,)" names no class to link to
 napoleon_use_rtype = False

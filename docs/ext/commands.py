@@ -2,8 +2,9 @@
 
 import click
 from docutils import nodes
-from nearsight.cli import cli
 from sphinx.util.docutils import SphinxDirective
+
+from nearsight.cli import cli
 
 
 class Commands(SphinxDirective):

@@ -3,12 +3,13 @@
 from html import escape
 
 from docutils import nodes
+from sphinx.util.docutils import SphinxDirective
+from verdicts import anchor
+
 from nearsight.verify import catalogue
 from nearsight.verify.recorded import recorded
 from nearsight.verify.report.prose import html_of, plain_html
 from nearsight.verify.report.words import sides
-from sphinx.util.docutils import SphinxDirective
-from verdicts import anchor
 
 
 class Refutations(SphinxDirective):

@@ -1,6 +1,41 @@
-"""``{gallery}``: every picture that `nearsight figures` makes. Nothing yet."""
+"""``{gallery}``: every picture of `nearsight figures`, with its caption and its command."""
+
+from docutils import nodes
+from sphinx.util.docutils import SphinxDirective
+
+from nearsight.cli.options import option_of
+from nearsight.figures import pictures
+
+
+class Gallery(SphinxDirective):
+    """Show all pictures from `docs/figures/`; one that is not there is a warning."""
+
+    def run(self):
+        """Return one section a picture."""
+        return [self.section(picture) for picture in pictures()]
+
+    def section(self, picture):
+        """Return title, picture, caption, command and the options it takes."""
+        found = nodes.section(ids=[f"figure-{picture.name}"], names=[picture.name])
+        found += nodes.title(picture.name, picture.name)
+        found += nodes.paragraph("", picture.title)
+        figure = nodes.figure(classes=["picture"])
+        figure += nodes.image(uri=f"figures/{picture.name}.svg", alt=picture.title)
+        figure += nodes.caption("", picture.caption)
+        found += figure
+        command = f"nearsight figures {picture.name}"
+        found += nodes.literal_block(command, command, language="none")
+        options = ", ".join(option_of(name) for name in picture.takes) or "none"
+        text = nodes.paragraph("", "Options it takes: ")
+        text += nodes.literal("", options)
+        if picture.label:
+            text += nodes.Text(". In the paper: ")
+            text += nodes.literal("", picture.label)
+        found += text
+        return found
 
 
 def setup(app):
-    """Register nothing."""
+    """Register the directive."""
+    app.add_directive("gallery", Gallery)
     return {"parallel_read_safe": True}

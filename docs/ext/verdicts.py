@@ -6,8 +6,9 @@ build warns, and so fails, if the recorded verdict is another one. ``{proved}`` 
 """
 
 from docutils import nodes
-from nearsight.verify.recorded import recorded
 from sphinx.util.docutils import SphinxRole
+
+from nearsight.verify.recorded import recorded
 
 SIGNS = {"proved": "✓", "supported": "≈", "refuted": "✗"}
 

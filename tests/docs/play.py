@@ -74,18 +74,23 @@ def blocks(text):
 def play(path, folder, *, slow=False):
     """Play all blocks of a page in a folder; return what is not as shown, as texts."""
     found, names = [], {"__name__": "__page__"}
-    text = Path(path).read_text(encoding="utf-8")
-    with _settled(folder):
-        for block in blocks(text):
-            if block.reason or (block.slow and not slow):
-                continue
-            if block.caption:
-                _write(block, folder)
-            elif block.language == "console":
-                found += [f"line {block.line}: {x}" for x in _console(block, folder)]
-            elif block.language == "python":
-                found += [f"line {block.line}: {x}" for x in _python(block, names)]
+    for block in blocks(Path(path).read_text(encoding="utf-8")):
+        if not block.reason and (slow or not block.slow):
+            found += play_block(block, folder, names)
     return found
+
+
+def play_block(block, folder, names):
+    """Play one block; `names` are the variables that Python finds and leaves."""
+    with _settled(folder):
+        if block.caption:
+            _write(block, folder)
+            return []
+        players = {
+            "console": lambda: _console(block, folder),
+            "python": lambda: _python(block, names),
+        }
+        return [f"line {block.line}: {text}" for text in players[block.language]()]
 
 
 @contextlib.contextmanager
@@ -144,10 +149,24 @@ def _console(block, folder):
 
 
 def run(command, folder):
-    """Run one command; return exit status, stdout and stderr."""
+    """Run commands joined by `&&`; return exit status, stdout and stderr."""
+    out = err = ""
+    for part in command.split(" && "):
+        status, printed, complaints = _one(part, folder)
+        out, err = out + printed, err + complaints
+        if status:
+            break
+    return status, out, err
+
+
+def _one(command, folder):
     words = shlex.split(command)
-    if words[0] == "nearsight" and not {"|", ">", "&&"} & set(words):
-        return _inside(words)
+    if words[0] == "nearsight" and "|" not in words:
+        words, name = (words[:-2], words[-1]) if ">" in words else (words, "")
+        status, printed, complaints = _inside(words)
+        if name:
+            (folder / name).write_text(printed, encoding="utf-8")
+        return status, "" if name else printed, complaints
     done = subprocess.run(
         ["bash", "-c", command],
         cwd=folder,
