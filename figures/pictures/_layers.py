@@ -48,9 +48,9 @@ class Part:
     places: dict[int, tuple[float, float]]
 
     @classmethod
-    def around(cls, network: Network, v: int, radius: int) -> Part:
+    def around(cls, network: Network, v: int, radius: int, whole: int = WHOLE) -> Part:
         """Return all of a small network, of a larger one the agents within some hops of v."""
-        small = network.vertices <= WHOLE
+        small = network.vertices <= whole
         distance = {v: 0}
         queue = [v]
         for u in queue:
@@ -58,7 +58,7 @@ class Part:
                 new = [int(w) for w in network.neighbours(u) if int(w) not in distance]
                 distance |= dict.fromkeys(new, distance[u] + 1)
                 queue += new
-        near = sorted(distance, key=lambda u: (distance[u], u))[:MOST]
+        near = sorted(distance, key=lambda u: (distance[u], u))[: max(MOST, whole)]
         graph = part(network, range(network.vertices) if small else sorted(near))
         kept = {u: d for u, d in distance.items() if u in graph}
         return cls(graph, kept, places(graph))
