@@ -76,7 +76,7 @@ def count_axis(panel: Axes, values: Floats, *, vertical: bool = True) -> None:
         if len(ticks) <= 7:
             break
     axis.set_ticks(ticks)
-    axis.set_ticklabels([f"{t:g}" for t in ticks])
+    axis.set_ticklabels([f"{t:.9g}" for t in ticks])
     axis.set_minor_locator(_none())
 
 
