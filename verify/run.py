@@ -100,7 +100,7 @@ def choose(claims: Sequence[Claim], labels: Sequence[str]) -> tuple[Claim, ...]:
         if label not in names:
             near = get_close_matches(label, names, 5, 0.5) or [n for n in names if label in n][:5]
             hint = f"near it: {', '.join(near)}" if near else "`nearsight verify` lists them all"
-            raise InputError(f"no claim {label!r}; {hint}", "label")
+            raise InputError(f"LABEL: no claim {label!r}; {hint}")
     return tuple(c for c in claims if not labels or c.label in labels or c.key in labels)
 
 

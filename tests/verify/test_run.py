@@ -1,11 +1,13 @@
 import json
+import subprocess
+import sys
+import time
 
 import pytest
 
 from nearsight.graphs import InputError
 from nearsight.perturbation import Runner
-from nearsight.verify import Claim, catalogue
-from nearsight.verify.mutation import EXACT
+from nearsight.verify import Claim
 from nearsight.verify.recorded import record, recorded
 from nearsight.verify.run import run
 
@@ -68,13 +70,43 @@ def test_an_unknown_label_lists_near_ones():
         run(level="slow", claims=claims())
 
 
+KEYS = (
+    "lemma:spatial-upper-and-lower",  # decisions and intervals
+    "prop:exp-decay-networked-SOCO[c]",  # a decision and a search
+    "lemma:temporal-upper-and-lower[difference]",
+    "thm: l-power[a]",
+    "nearsight:slice-decay",
+    "thm:networked-exp-decay:e2[r]",  # a search only
+    "coro:CR-LPC",  # refuted
+)
+
+
 def test_two_processes_find_the_same():
-    exact = (c for c in catalogue() if all(isinstance(check, EXACT) for check in c.checks))
-    fast = [claim.key for claim in exact if claim.part]
-    one, two = (run(fast[:4], mutation=True, runner=Runner(n)) for n in (1, 2))
+    one, two = (run(KEYS, runner=Runner(n)) for n in (1, 2))
     assert one.verdicts == two.verdicts
+    assert len(one.verdicts) >= len(KEYS)
+    one, two = (run(KEYS[:2], mutation=True, runner=Runner(n)) for n in (1, 2))
     assert one.mutations == two.mutations
-    assert len(one.verdicts) == 4
+
+
+@pytest.mark.slow
+def test_a_killed_run_goes_on_to_the_same_bytes(tmp_path):
+    file = tmp_path / "journal"
+    script = "from nearsight.cli import cli; cli()"
+    command = [sys.executable, "-c", script, "verify", *KEYS, "--json", "--workers"]
+    options = {"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
+    first = subprocess.Popen([*command, "1", "--checkpoint", str(file)], **options)
+    while first.poll() is None and (not file.exists() or file.read_bytes().count(b"\n") < 3):
+        time.sleep(0.02)
+    first.kill()  # as kill -9 does
+    first.communicate()
+    assert 3 <= file.read_bytes().count(b"\n") <= len(KEYS) + 4
+    found = [
+        json.loads(subprocess.run([*command, *more], **options).stdout)["claims"]
+        for more in (("2", "--checkpoint", str(file)), ("1",))
+    ]
+    bytes_of = [[json.dumps(c["evidence"]) for c in claims] for claims in found]
+    assert bytes_of[0] == bytes_of[1]
 
 
 class Counted:

@@ -57,7 +57,8 @@ def erratum(report: Report, claim: Claim, anchors: dict[str, str]) -> str:
         f'<div class="pair"><div class="printed"><h4>Printed</h4><p>{printed}</p>'
         f'</div><div class="holds"><h4>Holds</h4><p>{repaired}</p></div></div>'
         f'<div class="fails"><h4>Where it fails</h4><p>{reason}</p>'
-        f"{_instance(evidence)}</div></article>"
+        f'{_instance(evidence)}</div><p class="again"><b>Again</b> '
+        f"<code>{escape(replay(claim, report))}</code></p></article>"
     )
     return _linked(found, anchors)
 

@@ -54,6 +54,7 @@ def _erratum(report: Report, claim: Claim) -> str:
         lines.append(f"There: {sides(evidence)}")
     if claim.repaired:
         lines.append(f"Holds instead: {plain(claim.repaired)}")
+    lines.append(f"Again: `{replay(claim, report)}`")
     return "\n\n".join(lines)
 
 
