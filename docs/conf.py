@@ -15,9 +15,9 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.autosummary",  # its role `autolink`: a name in backticks links if it is documented
     "sphinx.ext.mathjax",
-    "sphinx.ext.napoleon",
     "sphinx-mathjax-offline",  # MathJax beside the pages: formulas need no network
     "commands",
+    "docstrings",
     "errata",
     "frontdoor",
     "gallery",
@@ -44,13 +44,14 @@ autodoc_default_options = {"members": True}
 napoleon_google_docstring = False
 napoleon_use_param = False  # types as prose: "ndarray, shape (N,)" names no class to link to
 napoleon_use_rtype = False
-napoleon_use_ivar = True
+napoleon_custom_sections = [("Attributes", "params_style"), ("Class attributes", "params_style")]
 
 html_theme = "furo"
 html_title = "nearsight"
 html_static_path = ["_static"]
 html_css_files = ["extra.css"]
 html_show_sourcelink = False
+html_show_copyright = False
 html_copy_source = False
 html_theme_options = {"navigation_with_keys": True}
 mathjax3_config = {

@@ -64,6 +64,13 @@ def test_every_block_is_played_or_says_why_not():
     assert len(reasons) <= 2  # very rare
 
 
+def test_no_line_of_a_formula_begins_a_list():
+    for name, text in TEXTS.items():
+        prose = re.sub(r"^(```+).*?^\1$|\$\$.*?\$\$", "", text, flags=re.M | re.S)
+        for formula in re.findall(r"\$[^$]+\$", prose):
+            assert not re.search(r"\n\s*[-+*] ", formula), f"{name}: {formula}"
+
+
 def test_a_page_that_shows_something_else_is_found_out(tmp_path):
     page = tmp_path / "page.md"
     page.write_text("```python\nprint(1 + 1)  # 3\n```\n\n```console\n$ echo 2\n3\n```\n")
@@ -99,6 +106,15 @@ def test_the_gallery_has_every_picture_and_no_other():
     assert there == {f"{p.name}{suffix}" for p in pictures() for suffix in (".svg", ".csv")}
     for name in re.findall(r"figures/([\w-]+)\.svg", "\n".join(TEXTS.values())):
         assert f"{name}.svg" in there
+
+
+@pytest.mark.slow
+def test_the_gallery_is_what_the_command_draws(tmp_path):
+    from nearsight.drawing import draw
+
+    draw(out=tmp_path, formats=("svg",), workers=2)
+    for path in sorted(tmp_path.iterdir()):
+        assert path.read_bytes() == (DOCS / "figures" / path.name).read_bytes(), path.name
 
 
 def test_the_reference_has_every_package_and_every_public_name():

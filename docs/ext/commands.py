@@ -1,5 +1,7 @@
 """``{commands}``: what `nearsight COMMAND --help` says, for every command, as tables."""
 
+import re
+
 import click
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
@@ -24,10 +26,18 @@ class Commands(SphinxDirective):
         usage = " ".join(["nearsight", name, *command.collect_usage_pieces(context)])
         found += nodes.literal_block(usage, usage, language="none")
         for text in (command.help or "").split("\n\n"):
-            found += nodes.paragraph("", " ".join(text.split()))
+            found += prose(text)
         rows = [p.get_help_record(context) for p in command.get_params(context)]
         found += table([row for row in rows if row])
         return found
+
+
+def prose(text):
+    """Return a text as a paragraph, in which options are code."""
+    found = nodes.paragraph()
+    for piece in re.split(r"((?<![\w-])--?[a-z][a-z-]*)", " ".join(text.split())):
+        found += nodes.literal("", piece) if piece.startswith("-") else nodes.Text(piece)
+    return found
 
 
 def table(rows):
@@ -38,7 +48,7 @@ def table(rows):
     for option, text in rows:
         row = nodes.row()
         row += nodes.entry("", nodes.paragraph("", "", nodes.literal(option, option)))
-        row += nodes.entry("", nodes.paragraph("", " ".join(text.split())))
+        row += nodes.entry("", prose(text))
         body += row
     group += body
     return nodes.table("", group, classes=["options"])
