@@ -66,7 +66,7 @@ def worst_case(
     search: int = 0,
     save: str | PathLike[str] | None = None,
     method: str = "auto",
-    tolerance: float = 1e-5,
+    tolerance: float = 1e-8,
     seed: int = 0,
     workers: int = 1,
     checkpoint: str | PathLike[str] | None = None,

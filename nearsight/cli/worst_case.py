@@ -60,7 +60,7 @@ _RUN = [
         help="auto dense (the whole spectrum) lanczos (an iteration).",
     ),
     click.option(
-        "--tolerance", type=float, default=1e-5, show_default=True, help="Of the iteration."
+        "--tolerance", type=float, default=1e-8, show_default=True, help="Of the iteration."
     ),
     click.option(
         "--workers", type=int, default=1, show_default=True, help="Threads; 0 for one a core."

@@ -1,6 +1,9 @@
+import time
+
 import networkx as nx
 import numpy as np
 import pytest
+import scipy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -347,3 +350,54 @@ def test_couplings_weaker_than_any_square():
 def test_couplings_beyond_all_numbers():
     with pytest.raises(ns.NearsightError, match="overflow"):
         worst_case(drawn("ring:6", 5, 1e300, 1e300), 3, 2)
+
+
+def by_waves(N, H, a, a_S, k, r):
+    """CR - 1 on the ring of N, wave by wave: ``x_0 = 0``, theta_t = cos(2 pi m v/N) u_t."""
+    chain = np.diag([2.0] * (H - 1) + [1.0]) - np.eye(H, k=1) - np.eye(H, k=-1)
+    # the local problem of agent 0 at step t, on the places -r..r around it
+    places = np.arange(-r, r + 1)
+    near = 2 * np.eye(len(places)) - np.eye(len(places), k=1) - np.eye(len(places), k=-1)
+    window = np.eye(H * len(places)) + a / 2 * np.kron(chain, np.eye(len(places)))
+    window += a_S / 2 * np.kron(np.eye(H), near)
+    rows = []
+    for t in range(H):
+        steps = np.arange(t, min(t + k - 1, H))[:, None] * len(places)
+        free = (steps + np.flatnonzero(np.abs(places) <= r - 1)).ravel()
+        unit = (free == t * len(places) + r).astype(float)
+        weights = np.linalg.solve(window[np.ix_(free, free)], unit)
+        row = -weights @ window[free]
+        row[free] = weights
+        rows.append(row.reshape(H, len(places)))
+    found = 0.0
+    for m in range(N // 2 + 1):
+        angle = 2 * np.pi * m / N
+        M = (1 + a_S * (1 - np.cos(angle))) * np.eye(H) + a / 2 * chain
+        gain = np.array(rows) @ np.cos(angle * places)
+        x = np.zeros((H, H))
+        for t in range(H):
+            x[t] = gain[t, :t] @ x[:t]
+            x[t, t:] += gain[t, t:]
+        off = x - np.linalg.inv(M)
+        paid, least = off.T @ M @ off, np.eye(H) - np.linalg.inv(M)
+        found = max(found, scipy.linalg.eigh(paid, least, eigvals_only=True)[-1])
+    return found
+
+
+@pytest.mark.parametrize(("N", "H", "k", "r"), [(13, 12, 3, 2), (60, 20, 4, 2), (200, 30, 2, 3)])
+def test_rings_wave_by_wave(N, H, k, r):
+    problem = instance(ns.parse_graph(f"ring:{N}"), H, ns.Parameters(1.0, 1.0, 1.0, 0.5))
+    found = worst_case(problem, k, r, method="lanczos")
+    assert found.cr_minus_one == pytest.approx(by_waves(N, H, 1.0, 0.5, k, r), rel=1e-8)
+
+
+@pytest.mark.slow
+def test_a_thousand_agents_over_a_hundred_steps_in_a_minute():
+    problem = instance(ns.parse_graph("ring:1000"), 100, ns.Parameters(1.0, 1.0, 1.0, 0.5))
+    start = time.process_time()
+    found = worst_case(problem, 3, 2)
+    assert time.process_time() - start < 60
+    assert found.method == "lanczos"
+    assert found.cr_minus_one == pytest.approx(by_waves(1000, 100, 1.0, 0.5, 3, 2), rel=1e-8)
+    run = ns.simulate(found.problem, k=3, r=2)
+    assert run.ratio_minus_one == pytest.approx(found.cr_minus_one, rel=1e-9)
