@@ -12,6 +12,7 @@ from ...lpc.arrays import Floats
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
     from matplotlib.figure import Figure
 
 _INDEXED = re.compile(r"([A-Za-z])(\d*)$")
@@ -50,6 +51,19 @@ def heading(figure: Figure, parts: Sequence[str]) -> None:
     title.set_text("\n".join(lines))
 
 
+def log_ticks(axis: Axis, low: float, high: float) -> None:
+    """Mark powers of ten, and 2 and 5 times them on a short logarithmic scale."""
+    from matplotlib.ticker import FixedLocator, LogFormatterSciNotation, NullFormatter
+
+    decades = range(int(np.floor(np.log10(low))), int(np.ceil(np.log10(high))) + 1)
+    steps = (1, 2, 5) if np.log10(high / low) < 1.5 else (1,)
+    apart = max(1, len(decades) // 6)
+    ticks = [m * 10.0**e for e in decades if e % apart == 0 for m in steps]
+    axis.set_major_locator(FixedLocator([tick for tick in ticks if low <= tick <= high]))
+    axis.set_major_formatter(LogFormatterSciNotation(labelOnlyBase=False))
+    axis.set_minor_formatter(NullFormatter())
+
+
 def label(
     axes: Axes,
     wishes: Sequence[Wish],
@@ -78,8 +92,9 @@ def label(
         Of the texts.
     """
     figure: Any = axes.figure
-    for _ in range(2):  # constrained layout has then settled
+    for _ in range(2):  # constrained layout has then settled, and shall stay
         figure.draw_without_rendering()
+    figure.set_layout_engine("none")
     renderer, point = figure.canvas.get_renderer(), figure.dpi / 72
     pixels = axes.transData.transform
     middle = pixels(marks)
