@@ -103,18 +103,17 @@ def test_the_gallery_has_every_picture_and_no_other():
     from nearsight.figures import pictures
 
     there = {path.name for path in (DOCS / "figures").iterdir()}
-    assert there == {f"{p.name}{suffix}" for p in pictures() for suffix in (".svg", ".csv")}
-    for name in re.findall(r"figures/([\w-]+)\.svg", "\n".join(TEXTS.values())):
-        assert f"{name}.svg" in there
+    assert there >= {f"{p.name}{suffix}" for p in pictures() for suffix in (".svg", ".csv")}
+    assert {name.split(".")[0] for name in there} == {p.name for p in pictures()}
 
 
 @pytest.mark.slow
 def test_the_gallery_is_what_the_command_draws(tmp_path):
     from nearsight.drawing import draw
 
-    draw(out=tmp_path, formats=("svg",), workers=2)
-    for path in sorted(tmp_path.iterdir()):
-        assert path.read_bytes() == (DOCS / "figures" / path.name).read_bytes(), path.name
+    draw(out=tmp_path, workers=2)
+    for path in sorted((DOCS / "figures").iterdir()):
+        assert path.read_bytes() == (tmp_path / path.name).read_bytes(), path.name
 
 
 def test_the_reference_has_every_package_and_every_public_name():
