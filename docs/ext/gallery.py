@@ -25,11 +25,12 @@ class Gallery(SphinxDirective):
         found += figure
         command = f"nearsight figures {picture.name}"
         found += nodes.literal_block(command, command, language="none")
-        options = ", ".join(option_of(name) for name in picture.takes) or "none"
-        text = nodes.paragraph("", "Options it takes: ")
-        text += nodes.literal("", options)
+        text = nodes.paragraph("", "Options it takes:" if picture.takes else "It takes no options.")
+        for name in picture.takes:
+            text += nodes.Text(" ")
+            text += nodes.literal("", option_of(name))
         if picture.label:
-            text += nodes.Text(". In the paper: ")
+            text += nodes.Text(" In the paper: ")
             text += nodes.literal("", picture.label)
         found += text
         return found
