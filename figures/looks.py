@@ -58,6 +58,10 @@ SEARCHED = Look("searched", "#CC79A7", (0, (1, 1)), "*")
 MEASURED = Look("measured", "#56B4E9", (0, (3, 1, 1, 1, 1, 1)), "v")
 LOWER = Look("lower bound", "#009E73", (0, (2, 1.2)), "^")
 
+OPTIMUM = Look("clairvoyant optimum", "#000000", "-", "")
+NEARSIGHTED = Look("LPC, short sight", "#E69F00", (0, (4, 1.6)), "s")
+PLANNED = Look("LPC, planned sight", "#0072B2", (0, (6, 1.5, 1.2, 1.5)), "o")
+
 LOOKS = {
     "stated": STATED,
     "repaired": REPAIRED,

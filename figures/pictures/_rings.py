@@ -49,7 +49,7 @@ def draw_network(
     edges: Sequence[tuple[int, int]],
     values: dict[int, float],
     norm: Any,
-    special: int | None,
+    special: dict[int, str],
     **sizes: float,
 ) -> Floats:
     """Draw a network with a colour a value (grey without one); return its lines.
@@ -63,8 +63,8 @@ def draw_network(
     values : dict
         Of some agents; on the scale `norm`, in cividis.
     norm : Normalize
-    special : int or None
-        An agent with a mark of its own.
+    special : dict
+        Marks of some agents.
     **sizes
         ``radius`` of a mark in points, and the ``edge`` width of lines.
     """
@@ -76,22 +76,22 @@ def draw_network(
         LineCollection(list(lines), colors="0.72", linewidths=sizes["edge"], zorder=1)
     )
     area = (2 * sizes["radius"]) ** 2
-    for marked in (False, True):
-        mine = [u for u in at if (u == special) is marked]
+    for mark in ("o", *special.values()):
+        mine = [u for u in at if special.get(u, "o") == mark]
         if not mine:
             continue
         x, y = np.array([at[u] for u in mine]).T
         axes.scatter(
             x,
             y,
-            s=area * (2.6 if marked else 1),
+            s=area * {"o": 1, "*": 2.6}.get(mark, 1.7),
             c=[values.get(u, np.nan) for u in mine],
             norm=norm,
             cmap="cividis",
-            marker="*" if marked else "o",
+            marker=mark,
             edgecolor="0.1",
             linewidth=thin,
-            zorder=3,
+            zorder=3 + (mark != "o"),
             plotnonfinite=True,
         )
     axes.set_axis_off()

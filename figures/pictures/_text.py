@@ -91,7 +91,7 @@ def label(
     **looks
         Of the texts.
     """
-    figure: Any = axes.figure
+    figure: Any = axes.get_figure(root=True)
     for _ in range(2):  # constrained layout has then settled, and shall stay
         figure.draw_without_rendering()
     figure.set_layout_engine("none")

@@ -119,7 +119,7 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
     font = float(size.settings["font.size"])
     radius = font * float(np.clip(3.2 / np.sqrt(len(at) + 1), 0.15, 0.5))
     lines = draw_network(
-        left, at, edges, values, norm, subject.centre, radius=radius, edge=0.06 * font
+        left, at, edges, values, norm, {subject.centre: "*"}, radius=radius, edge=0.06 * font
     )
     parts = [network_name(subject), constants(subject, "mu", "l_S")]
     if len(at) < subject.network.vertices:
