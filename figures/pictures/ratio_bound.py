@@ -15,7 +15,7 @@ from ..size import Size
 from ..subject import Subject
 from ..table import Table
 from ._couplings import count_axis, say
-from ._grids import cells, edges, limits, shade
+from ._grids import cells, edges, limits, shade, whole_ticks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -83,7 +83,7 @@ def _map(figure: Figure, panel: Axes, rows: Table) -> None:
     found = cells(rows, "k", "r", "excess")
     panel.set(xlabel="prediction horizon $k$", ylabel="radius $r$ (hops)")
     panel.set_title("sharp, any convex constraints")
-    _whole_ticks(panel)
+    whole_ticks(panel, rows.numbers("k"), rows.numbers("r"))
     if not (found > 0).any():
         none = np.isnan(found).all()
         k, r = edges(rows, "k", "r")
@@ -154,13 +154,6 @@ def _tiers(panel: Axes, rows: Table) -> None:
     for values, vertical in zip(both, (False, True), strict=True):
         count_axis(panel, np.array([1.0, max(4.0, 2.5 * values.max())]), vertical=vertical)
     panel.grid()
-
-
-def _whole_ticks(panel: Axes) -> None:
-    from matplotlib.ticker import MaxNLocator
-
-    for axis in (panel.xaxis, panel.yaxis):
-        axis.set_major_locator(MaxNLocator(7, integer=True))
 
 
 PICTURE = Picture(
