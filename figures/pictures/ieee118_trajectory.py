@@ -30,6 +30,7 @@ STRETCH = 1.6  # of the height of the network
 MARKS = "*D"  # of the agents whose actions are drawn
 NAMED = 20  # agents that get their names
 RANGE = 1e-6  # of the largest deviation: smaller ones are drawn as this
+TINY = 1e-8, 1e-12  # deviations, and ratios minus 1, below which solvers say nothing
 CERTIFICATE = "nearsight:sharp-cr"
 
 
@@ -96,17 +97,18 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
     panels: Any = right.subplots(len(chosen) + 1, 1, sharex=True)
     agents = table.where(kind="agent").records()
     at = {row["agent"]: (row["x"], row["y"]) for row in agents}
-    most = max(*(row["long"] for row in agents), RANGE**2)
-    values = {row["agent"]: max(row["long"], RANGE * most) for row in agents}
+    most = max(TINY[0], *(row["long"] for row in agents))
+    values = {row["agent"]: max(row["long"], RANGE * most, TINY[0]) for row in agents}
     norm: Any = LogNorm(0.8 * min(values.values()), 1.25 * most)
     font = float(size.settings["font.size"])
     radius = font * float(np.clip(3 / np.sqrt(len(at) + 1), 0.15, 0.5))
     edges = [(row["agent"], row["other"]) for row in table.where(kind="edge").records()]
     marks = dict(zip(chosen, MARKS, strict=False))
     lines = draw_network(network, at, edges, values, norm, marks, radius=radius, edge=0.06 * font)
-    bar = figure.colorbar(
-        network.collections[-1], ax=network, location="bottom", aspect=35, pad=0.02
-    )
+    high = max(y for _, y in at.values())
+    network.set_aspect(float(np.clip(1.1 / max(high, 0.1), 1, STRETCH)))
+    shades = network.collections[-1]
+    bar = left.colorbar(shades, ax=network, location="bottom", aspect=35, pad=0.02, panchor=False)
     bar.set_label(f"largest deviation, $k = {subject.k}$, $r = {subject.r}$")
     log_ticks(bar.ax.xaxis, norm.vmin, norm.vmax)
     _panels(list(panels), table, subject, chosen)
@@ -130,6 +132,8 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
 
 def _panels(panels: list[Axes], table: Table, subject: Subject, chosen: list[int]) -> None:
     """Draw the actions of some agents, and the largest deviation of all, over the steps."""
+    from matplotlib.ticker import MaxNLocator
+
     looks = {"optimum": OPTIMUM, "short": NEARSIGHTED, "long": PLANNED}
     texts = {"optimum": OPTIMUM.label} | {
         row["name"]: _told(row) for row in table.where(kind="run").records()
@@ -143,13 +147,16 @@ def _panels(panels: list[Axes], table: Table, subject: Subject, chosen: list[int
             panel.plot(rows.numbers("step"), rows.numbers(name), **line)
         sign = {"*": "star", "D": "diamond"}[mark]
         panel.set_title(f"action of agent {shown(subject.network.names[u])} ({sign})")
-    rows = table.where(kind="step")
+    rows, hidden = table.where(kind="step"), False
     for name in ("short", "long"):
-        values = np.ma.masked_less_equal(rows.numbers(name), 0)
+        values = np.ma.masked_less(rows.numbers(name), TINY[0])
+        hidden |= bool(np.any(values.mask))
         panels[-1].plot(rows.numbers("step"), values, **looks[name].plot(label=texts[name]))
     panels[-1].set_yscale("log")
-    panels[-1].set_title("largest deviation from the optimum, all agents")
+    text = "largest deviation from the optimum"
+    panels[-1].set_title(text + f" (not: below {TINY[0]:g})" * hidden)
     panels[-1].set_xlabel("step $t$")
+    panels[-1].xaxis.set_major_locator(MaxNLocator(integer=True))
     for panel in panels:
         panel.grid(axis="y")
 
@@ -157,9 +164,14 @@ def _panels(panels: list[Axes], table: Table, subject: Subject, chosen: list[int
 def _told(row: dict[str, Any]) -> str:
     """Return what the legend says of a run."""
     bound = row["promised"]
-    promised = "nothing promised" if bound is None else f"promised {bound:.2g}"
+    promised = "nothing promised" if bound is None else f"promised {_number(bound)}"
     sight = f"$k = {row['k']}$, $r = {row['r']}$"
-    return f"{sight}: ratio $-$ 1 = {row['ratio']:.2g}, {promised}"
+    return f"{sight}: ratio $-$ 1: {_number(row['ratio'])}, {promised}"
+
+
+def _number(value: float) -> str:
+    """Return a ratio minus 1 with two digits, as far as these mean something."""
+    return f"{value:.2g}" if value >= TINY[1] else f"below {TINY[1]:g}"
 
 
 PICTURE = Picture(
