@@ -89,9 +89,11 @@ def shade(
         drawn.outline.set_linewidth(thin())
 
 
-def whole_ticks(panel: Axes, x: Floats, y: Floats) -> None:
-    """Put ticks at whole numbers only, at most seven in each direction."""
+def whole_ticks(panel: Axes, x: Floats, y: Floats | None = None) -> None:
+    """Put ticks at whole numbers only, at most seven in each direction that is given."""
     for axis, values in ((panel.xaxis, x), (panel.yaxis, y)):
+        if values is None:
+            continue
         first, last = int(values.min()), int(values.max())
         step = next(s for s in (1, 2, 5, 10, 20, 50, 100, last) if (last - first) // s < 7)
         axis.set_ticks([t for t in range(first, last + 1) if t % step == 0 or last == first])
