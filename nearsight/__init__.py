@@ -59,6 +59,7 @@ if TYPE_CHECKING:
     from .measuring import search_sensitivity as search_sensitivity
     from .perturbation import Measurement as Measurement
     from .perturbation import sensitivity as sensitivity
+    from .sandwiching import augmentation as augmentation
     from .sandwiching import sandwich as sandwich
     from .simulating import random_problem as random_problem
     from .simulating import simulate as simulate
@@ -92,6 +93,7 @@ _EXPORTS: dict[str, str] = {
     "Simulation": ".lpc",
     "TierPlan": ".bounds",
     "audit": ".lpc",
+    "augmentation": ".sandwiching",
     "bound": ".api",
     "bounds": ".bounds",
     "catalogue": ".bounds",

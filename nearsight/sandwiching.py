@@ -91,10 +91,9 @@ def augmentation(
     Examples
     --------
     >>> import nearsight as ns
-    >>> from nearsight.sandwiching import augmentation
     >>> given = dict(graph="ring:6", mu=1, l_f=1, l_T=1, l_S=0.5)
     >>> found = ns.sandwich(**given, horizon=5, ks=[2, 3, 4], rs=[1, 2, 3])
-    >>> least = augmentation(found, **given)[0]
+    >>> least = ns.augmentation(found, **given)[0]
     >>> (least.k_star, least.r_star), [(p.k, p.r) for p in least.measured], least.factors
     ((2, 1), [(3, 2)], (1.5, 2.0))
     """
