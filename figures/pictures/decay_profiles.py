@@ -11,8 +11,9 @@ from ...bounds import Parameters
 from ...graphs import parse_graph
 from ...lpc.instances import instance
 from ...lpc.local import LocalProblem
-from ...perturbation import Spec, Target, measure, search
+from ...perturbation import Spec, Target, measure
 from ...perturbation.neighbourhood import Neighbourhood
+from ...perturbation.search import Climb
 from ..looks import LOOKS, MEASURED, SEARCHED, TIERS
 from ..parts import constants, legend_below
 from ..picture import Picture, Progress
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _SMALL = 80  # free numbers of a local problem up to which worst cases are searched
+_STEPS = 300  # of a search
 _WIDEST = 3  # agents a block
 _SIDES = {"time": ("top", "bottom"), "space": ("lateral",)}
 
@@ -73,7 +75,9 @@ def _searched(spec: Spec) -> dict[tuple[str, int], float]:
     if len(window.terms.free) > _SMALL or not (spec.parameters.l_T or spec.parameters.l_S):
         return found
     for key, target in _targets(around, spec.k, spec.r, spec.parameters):
-        found[key] = search(window, target, spec.parameters, starts=0, growth=spec.growth).value
+        climb = Climb.of(window, target, spec.parameters)
+        start = climb.couplings.differences(climb.response.columns)
+        found[key] = climb.value(climb.climb(start, _STEPS))
     return found
 
 
