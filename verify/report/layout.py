@@ -6,13 +6,37 @@ Claims stand in columns, each to the right of all claims that its proof uses [Su
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
 import networkx as nx
 
+from ..claim import Claim
+
 _SWEEPS = 24
+_LINE = re.compile(r"(:e\d.*|#.*)$")  # what a label has more than that of its theorem or section
+
+
+def boxes_of(claims: Sequence[Claim]) -> dict[str, list[Claim]]:
+    """Return the claims by the label of their theorem or section."""
+    boxes: dict[str, list[Claim]] = {}
+    for claim in claims:
+        boxes.setdefault(_LINE.sub("", claim.label), []).append(claim)
+    return boxes
+
+
+def uses_between(boxes: Mapping[str, Sequence[Claim]]) -> nx.DiGraph[str]:
+    """Return the uses from one box to another, see `layout`."""
+    place = {claim.key: name for name, claims in boxes.items() for claim in claims}
+    graph: nx.DiGraph[str] = nx.DiGraph()
+    graph.add_nodes_from(boxes)
+    for name, claims in boxes.items():
+        others = {place.get(key, name) for claim in claims for key in claim.uses}
+        graph.add_edges_from((name, other) for other in sorted(others - {name}))
+    return graph
 
 
 @dataclass(frozen=True)

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from html import escape
-
-import networkx as nx
 
 from ..claim import Claim
 from ..results import Report
-from .layout import layout
+from .layout import boxes_of, layout, uses_between
 from .words import SIGNS, word_of
 
 WIDE, HIGH, GAP, ROW, TOP = 208, 42, 36, 54, 29
 _LETTERS = 26  # of a label fit into its box
 _CELL = 15  # largest width of a cell; narrower where a box has many
-_LINE = re.compile(r"(:e\d.*|#.*)$")  # what a label has more than that of its theorem or section
 
 
 def picture(report: Report, anchors: dict[str, str]) -> str:
@@ -27,10 +23,8 @@ def picture(report: Report, anchors: dict[str, str]) -> str:
     anchors : dict
         Key -> name of the card on the page.
     """
-    boxes: dict[str, list[Claim]] = {}
-    for claim in report.claims:
-        boxes.setdefault(_LINE.sub("", claim.label), []).append(claim)
-    found = layout(_between(boxes))
+    boxes = boxes_of(report.claims)
+    found = layout(uses_between(boxes))
     width = max(found.columns, 1) * (WIDE + GAP) - GAP + 8
     below = TOP + (found.rows + 1.4) * ROW if found.places else 0
     parts = [_edge(report, boxes, *edge) for edge in found.edges]
@@ -54,17 +48,6 @@ def picture(report: Report, anchors: dict[str, str]) -> str:
         f'style="width:{width:.0f}px;min-width:{0.6 * width:.0f}px" role="img" '
         f'aria-label="Which proof uses which claim">{"".join(parts)}</svg>'
     )
-
-
-def _between(boxes: dict[str, list[Claim]]) -> nx.DiGraph[str]:
-    """Return the uses from one box to another."""
-    place = {claim.key: name for name, claims in boxes.items() for claim in claims}
-    graph: nx.DiGraph[str] = nx.DiGraph()
-    graph.add_nodes_from(boxes)
-    for name, claims in boxes.items():
-        others = {place.get(key, name) for claim in claims for key in claim.uses}
-        graph.add_edges_from((name, other) for other in sorted(others - {name}))
-    return graph
 
 
 def _caption(x: float, y: float, text: str, anchor: str = "start") -> str:
