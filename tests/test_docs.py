@@ -16,7 +16,7 @@ TEXTS = {path.relative_to(DOCS).as_posix(): path.read_text(encoding="utf-8") for
 
 
 def load(name):
-    """Import a helper of tests/docs, which is no package."""
+    """Import a module of tests/docs, which is no package."""
     spec = importlib.util.spec_from_file_location(f"docs_{name}", ROOT / f"tests/docs/{name}.py")
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module

@@ -12,7 +12,7 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
 def load(name):
-    """Import a helper of tests/docs, which is no package."""
+    """Import a module of tests/docs, which is no package."""
     spec = importlib.util.spec_from_file_location(f"docs_{name}", ROOT / f"tests/docs/{name}.py")
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
