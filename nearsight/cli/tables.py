@@ -108,8 +108,7 @@ def print_results(results: list[Result], explain: bool) -> None:
         console.print(f"\n[bold]{label}[/bold] ({same[0].kind})")
         for result in same:
             _print_result(console, result)
-            if explain:
-                _print_hypotheses(console, result)
+            _print_hypotheses(console, result, explain)
 
 
 def _print_result(console: Console, r: Result) -> None:
@@ -122,15 +121,15 @@ def _print_result(console: Console, r: Result) -> None:
     for reason in dict.fromkeys(r.reasons.values()):
         names = ", ".join(key for key, why in r.reasons.items() if why == reason)
         console.print(f"      no {names}: {reason}", soft_wrap=True)
-    for h in r.hypotheses:
-        if h.fails and h.text not in " ".join(r.reasons.values()):
-            console.print(f"      fails: {h.text}{_margin(h.margin)}", soft_wrap=True)
 
 
-def _print_hypotheses(console: Console, r: Result) -> None:
+def _print_hypotheses(console: Console, r: Result, explain: bool) -> None:
+    """Print all hypotheses, or those that fail and are not said already, as reasons."""
+    reasons = " ".join(r.reasons.values())
     for h in r.hypotheses:
         state = "assumed" if h.holds is None else "fails" if h.fails else "holds"
-        console.print(f"      {state}: {h.text}{_margin(h.margin)}", soft_wrap=True)
+        if explain or (h.fails and h.text not in reasons):
+            console.print(f"      {state}: {h.text}{_margin(h.margin)}", soft_wrap=True)
 
 
 def _margin(margin: Any) -> str:

@@ -83,6 +83,12 @@ def test_unconstrained_brings_two_more_certificates():
     assert opened["vi"] == closed["vi"]
 
 
+def test_explain_says_what_fails_once():
+    words = ("--growth", "line", "--mu", "1", "--l-f", "1", "--l-t", "0.1", "--l-s", "0.05")
+    text = run(*words, "--label", "thm:global-exp-decay", "--explain").output
+    assert text.count("fails: C_G is at least the sharp constant") == 1
+
+
 def test_explain_lists_the_hypotheses():
     text = run("--growth", "line", *COSTS, "--explain").output
     assert "assumed: the costs obey Assumption 2.1" in text
