@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from nearsight.figures import picture_named
-from nearsight.graphs import parse_graph
+from nearsight.graphs import InputError, parse_graph
 
 GRAPHS = ["grid:3x3", "ring:9", "erdos-renyi:9x0.15", "path:3"]
 
@@ -35,6 +35,29 @@ def test_responses_stay_below_the_promised_ones_at_true_distances(graph):
             assert row["hops"] == away[row["agent"]]
             assert row["gap"] == abs(row["step"] - star["step"])
             assert 0 <= row["response"] <= row["promised"] * (1 + 1e-9)
+
+
+@pytest.mark.parametrize(
+    ("graph", "strengths", "star"),
+    [
+        ("ring:9", {"l_S": 0.0}, ("top", 3)),
+        ("ring:9", {"l_T": 0.0}, ("lateral", 1)),
+        ("complete:4", {"l_S": 0.0}, ("top", 3)),
+    ],
+)
+def test_without_some_couplings_the_variable_is_one_that_can_be_followed(graph, strengths, star):
+    table, subject = _compute(graph, **strengths)
+    rows = table.where(kind="node").records()
+    assert [(r["part"], r["step"]) for r in rows if r["part"] not in ("free", "outside")] == [star]
+    own = [r for r in rows if (r["step"], r["agent"]) == (1, subject.centre)]
+    assert own[0]["response"] > 0
+
+
+@pytest.mark.parametrize("graph", ["ring:9", "complete:4"])
+def test_nothing_to_follow_is_bad_input(graph):
+    l_S = 0.0 if graph == "ring:9" else 0.6
+    with pytest.raises(InputError, match=r"l_T = 0: > 0 is needed"):
+        _compute(graph, l_T=0.0, l_S=l_S)
 
 
 def test_one_free_agent_follows_as_far_as_the_class_allows():
