@@ -112,9 +112,10 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
     bar.set_label(f"largest deviation, $k = {subject.k}$, $r = {subject.r}$")
     log_ticks(bar.ax.xaxis, norm.vmin, norm.vmax)
     _panels(list(panels), table, subject, chosen)
-    heading(
-        figure, [network_name(subject), constants(subject, "horizon", "mu", "l_f", "l_T", "l_S")]
-    )
+    parts = [network_name(subject), constants(subject, "horizon", "mu", "l_f", "l_T", "l_S")]
+    if len(at) < subject.network.vertices:
+        parts.append(f"{len(at)} of {subject.network.vertices} agents drawn")
+    heading(figure, parts)
     legend_below(figure, panels[0])
     names = subject.network.names
     wishes = [Wish(*at[u], shown(names[u])) for u in at if len(at) <= NAMED]
@@ -184,5 +185,5 @@ PICTURE = Picture(
     compute=compute,
     draw=draw,
     subject=Subject("ieee118", l_f=4, l_T=1, l_S=0.1, horizon=24, k=4, r=3),
-    takes=("graph", "mu", "l_f", "l_T", "l_S", "horizon", "k", "r", "agent", "seed"),
+    takes=("graph", "mu", "l_f", "l_T", "l_S", "horizon", "k", "r", "seed"),
 )

@@ -197,6 +197,6 @@ PICTURE = Picture(
     compute=compute,
     draw=draw,
     subject=SUBJECT,
-    takes=("graph", "horizon", "k", "r", "t", "agent", "seed"),
+    takes=("graph", "horizon", "k", "r", "t", "agent"),
     label="fig:information",
 )

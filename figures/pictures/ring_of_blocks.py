@@ -172,6 +172,6 @@ PICTURE = Picture(
     compute=compute,
     draw=draw,
     subject=Subject("ring-of-blocks:16x2", l_S=0.2),
-    takes=("graph", "l_S", "agent", "seed"),
+    takes=("graph", "l_S", "agent"),
     label="fig:G_exp_decay_lower",
 )
