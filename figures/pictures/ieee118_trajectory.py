@@ -51,7 +51,8 @@ def compute(subject: Subject, progress: Progress) -> Table:
         runs[name] = simulate(problem, k, r)
     best = runs["long"].optimum.x
     off = {name: np.linalg.norm(run.x - best, axis=2) for name, run in runs.items()}
-    drawn = Part.around(network, subject.centre, REACH, WHOLE)
+    chosen = _chosen(off["short"].max(axis=0), off["long"].max(axis=0))
+    drawn = Part.around(network, chosen[0], REACH, WHOLE)
     rows = [
         row | {name: off[name][:, row["agent"]].max() for name in runs}
         for row in drawn.rows(network)
@@ -60,7 +61,7 @@ def compute(subject: Subject, progress: Progress) -> Table:
     for s in range(subject.horizon):
         largest = {name: off[name][s].max() for name in runs}
         rows.append({"kind": "step", "step": s + 1} | largest)
-    for u in _chosen(off["short"].max(axis=0), off["long"].max(axis=0)):
+    for u in chosen:
         for s in range(subject.horizon):
             actions = {name: run.x[s, u, 0] for name, run in runs.items()}
             actions["optimum"] = best[s, u, 0]
