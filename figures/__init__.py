@@ -2,8 +2,9 @@
 
 from .catalogue import picture_named, pictures
 from .flaws import flaws
+from .one import Drawn
 from .picture import Picture
-from .run import Drawn, draw_all
+from .run import draw_all
 from .size import SIZES, Size
 from .subject import Subject
 from .table import Table

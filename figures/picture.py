@@ -42,6 +42,8 @@ class Picture:
         The fields of `Subject` that it uses.
     label : str
         Label of the figure in the paper that it is, or empty.
+    also : callable
+        Return what else its data are of, by name, as short texts.
 
     Raises
     ------
@@ -57,6 +59,7 @@ class Picture:
     subject: Subject
     takes: tuple[str, ...]
     label: str = ""
+    also: Callable[[], dict[str, str]] = dict
 
     def __post_init__(self) -> None:
         strange = set(self.takes) - {field.name for field in fields(Subject)}

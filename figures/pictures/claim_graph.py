@@ -21,6 +21,7 @@ from ..subject import Subject
 from ..table import Table
 from ._layers import thin_line
 from ._text import heading
+from ._verdicts import verdicts
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -213,4 +214,5 @@ PICTURE = Picture(
     draw=draw,
     subject=Subject(),
     takes=(),
+    also=verdicts,
 )

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import sys
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from .options import FINITE, JSON, input_errors, options, strengths
+from .options import FINITE, JSON, input_errors, option_of, options, strengths
 from .output import Progress, print_json
 
 if TYPE_CHECKING:
@@ -69,8 +70,6 @@ class _Command(click.Command):
 
 
 def _takes(names: tuple[str, ...]) -> str:
-    from .options import option_of
-
     return " ".join(map(option_of, names)) or "no options"
 
 
@@ -81,7 +80,7 @@ def COMMAND(as_json: bool, **given: Any) -> None:
     """Draw the figures with these NAMEs, or all, as PDF, PNG and SVG.
 
     Each is of a network and of constants of its own choice; options replace them where a figure
-    takes them (the list below says which).
+    takes them (the list below says which). Exit status 1 if some could not be drawn.
     """
     progress = Progress()
     with input_errors():
@@ -96,12 +95,22 @@ def COMMAND(as_json: bool, **given: Any) -> None:
     progress.close()
     if as_json:
         print_json({"figures": [_document(one) for one in found]})
-        return
-    for one in found:
+    else:
+        _print(found)
+    if any(one.failed for one in found):
+        sys.exit(1)
+
+
+def _print(found: tuple[Drawn, ...]) -> None:
+    """Print a line for each figure, and on stderr what is wrong with it."""
+    for one in (one for one in found if not one.failed):
         kinds = " ".join(path.suffix for path in one.files)
         beside = "  (from the data kept)" if one.reused else ""
         click.echo(f"{one.files[0].with_suffix('')}  {kinds}{beside}")
     for one in found:
+        if one.failed:
+            name = f"{option_of(one.argument)}: " if one.argument else ""
+            click.echo(f"{one.name} was not drawn: {name}{one.failed}", err=True)
         for flaw in one.flaws:
             click.echo(f"{one.name}: {flaw}", err=True)
 
@@ -113,6 +122,7 @@ def _document(one: Drawn) -> dict[str, Any]:
         "reused": one.reused,
         "flaws": list(one.flaws),
         "seconds": one.seconds,
+        "reason": one.failed or None,
     }
 
 

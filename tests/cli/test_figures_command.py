@@ -32,6 +32,13 @@ def test_a_figure_of_ones_own_network(tmp_path):
     assert done.stdout == "nearsight-figures/sandwich  .csv .png  (from the data kept)\n"
 
 
+def test_one_that_cannot_be_drawn_is_named_beside_those_that_are(tmp_path):
+    words = ["--graph", "complete:3", "--horizon", "3", "-k", "3", "-r", "2", "--l-t", "0"]
+    done = run("worst-response", "sandwich", *words, "--formats", "svg", cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (1, "nearsight-figures/sandwich  .csv .svg\n")
+    assert done.stderr.startswith("worst-response was not drawn: --l-t: l_T = 0: > 0 is needed")
+
+
 def test_a_figure_goes_by_its_label_in_the_paper(tmp_path):
     done = run("fig:none", cwd=tmp_path)
     assert done.returncode == 2

@@ -90,3 +90,26 @@ def test_a_folder_that_cannot_be_is_refused(tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(ns.InputError, match=r"out = .*file: no folder"):
         ns.draw("sandwich", out=tmp_path / "file", **SMALL)
+
+
+def test_what_cannot_be_drawn_does_not_stop_the_others(tmp_path):
+    given = {"out": tmp_path, "formats": ("svg",), **SMALL, "graph": "complete:3", "l_T": 0, "r": 2}
+    failed, drawn = ns.draw(["worst-response", "sandwich"], **given)
+    assert failed.failed.startswith("l_T = 0: > 0 is needed")
+    assert (failed.argument, failed.files) == ("l_T", ())
+    assert [path.name for path in drawn.files] == ["sandwich.csv", "sandwich.svg"]
+    del given["horizon"]
+    with pytest.raises(ns.InputError, match="l_T = 0: > 0 is needed"):
+        ns.draw("worst-response", **given)
+
+
+def test_data_of_other_verdicts_are_not_reused(tmp_path, monkeypatch):
+    from nearsight.verify import recorded
+
+    given = {"out": tmp_path, "formats": ()}
+    assert not ns.draw("claim-graph", **given)[0].reused
+    assert ns.draw("claim-graph", reuse=True, **given)[0].reused
+    other = tmp_path / "recorded.json"
+    other.write_text(recorded.PATH.read_text().replace('"refuted"', '"supported"', 1))
+    monkeypatch.setattr(recorded, "PATH", other)
+    assert not ns.draw("claim-graph", reuse=True, **given)[0].reused
