@@ -111,6 +111,8 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
         distances = table.where(direction=direction).numbers("distance")
         if len(distances):
             whole_ticks(panels[row, 0], distances)
+        if not any(panel.lines for panel in panels[row]):
+            panels[row, 0].set(xticks=[], yticks=[])
     for place, panel in enumerate(panels[0]):
         panel.set_title(str(table.where(place=place).values("network")[0]))
     axes = list(panels.ravel())
