@@ -42,7 +42,7 @@ def test_no_guaranteed_pair_is_below_a_lower_bound(table):
 
 
 def test_lower_bounds_exclude_what_is_below_and_grow_with_the_class(table):
-    for row in table.records()[2::5]:
+    for row in table.records()[4:10:5]:
         costs = {"mu": 1, "l_f": 1.0, "l_T": row["l_T"], "l_S": row["l_S"]}
         if row["k_lower"] > 1:
             found = ns.lower_bound(**costs, graph="ring:41", k=row["k_lower"] - 1, r=20)
