@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..graphs import InputError
-from .table import Table
+from .table import Table, one_line
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -55,7 +55,7 @@ def save(figure: Figure, folder: Path, name: str, formats: Sequence[str]) -> tup
 def kept(path: Path, head: dict[str, str]) -> Table | None:
     """Return the table of a file, if it is there and was computed for the same head."""
     try:
-        table, found = Table.from_csv(path.read_text(encoding="utf-8"))
+        table, found = Table.from_csv(path.read_bytes().decode())
     except (FileNotFoundError, UnicodeDecodeError, InputError):
         return None
-    return table if found == head else None
+    return table if found == {name: one_line(text) for name, text in head.items()} else None

@@ -10,6 +10,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Span = Literal["column", "page"]
+FONTS = ("STIXGeneral", "DejaVu Sans")
+"""Of paper and of slides; each helps out where the other lacks a letter."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +65,7 @@ def _settings(base: float, thin: float, family: str, mathematics: str) -> dict[s
         "font.size": base,
         **dict.fromkeys(sizes, base),
         **dict.fromkeys(small, base - 1),
-        "font.family": family,
+        "font.family": [family, *(name for name in FONTS if name != family)],
         "mathtext.fontset": mathematics,
         "axes.linewidth": thin,
         "axes.spines.top": False,

@@ -6,6 +6,7 @@ import csv
 import io
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from itertools import takewhile
 from typing import Any
 
 import numpy as np
@@ -82,7 +83,7 @@ class Table:
         """
         out = io.StringIO()
         for name, value in head.items():
-            out.write(f"# {name}: {value}\n")
+            out.write(f"# {name}: {one_line(value)}\n")
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(self.columns)
         writer.writerows(["" if v is None else v for v in row] for row in self.rows)
@@ -97,13 +98,22 @@ class Table:
         InputError
             If it is none.
         """
-        lines = text.splitlines()
-        above = [line for line in lines if line.startswith("# ")]
-        head = dict(line[2:].partition(": ")[::2] for line in above)
-        body = list(csv.reader(lines[len(above) :]))
+        # a name may hold any letter, also those that `str.splitlines` takes for an end
+        lines = list(io.StringIO(text, newline=""))
+        above = list(takewhile(lambda line: line.startswith("# "), lines))
+        head = dict(line[2:].rstrip("\n").partition(": ")[::2] for line in above)
+        try:
+            body = list(csv.reader(lines[len(above) :]))
+        except csv.Error:
+            body = []
         if not body or any(len(row) != len(body[0]) for row in body):
             raise InputError("no table: columns and rows of one length are needed")
         return cls(tuple(body[0]), tuple(tuple(map(_parsed, row)) for row in body[1:])), head
+
+
+def one_line(text: str) -> str:
+    """Return a text in one line, as it stands in the head of a file."""
+    return " ".join(text.splitlines())
 
 
 def _plain(value: Any) -> Value:

@@ -10,6 +10,7 @@ from ...lpc.arrays import Floats
 from ..looks import INK, PAPER, SHARP, STATED
 from ..table import Table
 from ._layers import Layers, thin_line
+from ._text import log_axis
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -92,7 +93,7 @@ def draw_decay(axes: Axes, free: Table, least: float) -> None:
             linestyle="",
             **looks,
         )
-    axes.set_yscale("log")
+    log_axis(axes)
     axes.set_xlabel("hops from the starred variable")
     axes.set_ylabel("moved by one unit of it")
     axes.set_xticks(sorted(set(free.numbers("hops"))))

@@ -93,6 +93,7 @@ def draw_network(
             linewidth=thin,
             zorder=3 + (mark != "o"),
             plotnonfinite=True,
+            clip_on=False,
         )
     axes.set_axis_off()
     axes.set_aspect("equal")

@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ...lpc.arrays import Floats
+from ..parts import plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.axis import Axis
     from matplotlib.figure import Figure
 
-_INDEXED = re.compile(r"([A-Za-z])(\d*)$")
+_INDEXED = re.compile(r"([A-Za-z])([0-9]{0,4})")
 CROSSED = 3  # lines that a text may cover
 # Sides on which a text may stand, the most readable first.
 _SIDES = ((1, -1), (1, 1), (-1, -1), (-1, 1), (0, -1), (0, 1), (1, 0), (-1, 0))
@@ -31,19 +32,18 @@ class Wish(NamedTuple):
 
 def shown(name: str, longest: int = 12) -> str:
     """Return the name of an agent for print: ``u1`` as mathematics, long names cut."""
-    match = _INDEXED.match(name)
+    match = _INDEXED.fullmatch(name)
     if match:
         return f"${match[1]}_{{{match[2]}}}$" if match[2] else f"${match[1]}$"
-    short = name if len(name) <= longest else f"{name[: longest - 1]}\N{HORIZONTAL ELLIPSIS}"
-    return short.replace("$", r"\$")
+    return plain(name, longest)
 
 
 def heading(figure: Figure, parts: Sequence[str]) -> None:
-    """Write the parts above a figure, in as many lines as they need."""
+    """Write the parts above a figure, in as many lines as they need, broken after commas."""
     canvas: Any = figure.canvas
     title = figure.suptitle("")
     lines = [""]
-    for text in parts:
+    for text in ", ".join(parts).split(", "):
         longer = f"{lines[-1]}, {text}" if lines[-1] else text
         title.set_text(longer)
         fits = title.get_window_extent(canvas.get_renderer()).width < 0.97 * figure.bbox.width
@@ -62,6 +62,20 @@ def log_ticks(axis: Axis, low: float, high: float) -> None:
     axis.set_major_locator(FixedLocator([tick for tick in ticks if low <= tick <= high]))
     axis.set_major_formatter(LogFormatterSciNotation(labelOnlyBase=False))
     axis.set_minor_formatter(NullFormatter())
+
+
+def log_axis(axes: Axes) -> None:
+    """Make the vertical axis logarithmic: labels at powers of ten, more where there is one only.
+
+    Called when everything is drawn.
+    """
+    from matplotlib.ticker import NullFormatter
+
+    axes.set_yscale("log")
+    low, high = axes.get_ylim()
+    if np.floor(np.log10(high)) - np.ceil(np.log10(low)) < 1:
+        log_ticks(axes.yaxis, low, high)
+    axes.yaxis.set_minor_formatter(NullFormatter())
 
 
 def label(

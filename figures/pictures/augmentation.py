@@ -20,6 +20,7 @@ from ..size import Size
 from ..subject import Subject
 from ..table import Table
 from ._couplings import count_axis, say, thin
+from ._text import heading
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -101,7 +102,7 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
         _panel(panel, direction, table.where(direction=direction))
     legend_below(figure, list(panels))
     what = constants(subject, "horizon", "mu", "l_f", "l_T", "l_S")
-    figure.suptitle(f"{network_name(subject)}: {what}")
+    heading(figure, [f"{network_name(subject)}: {what}"])
     return figure
 
 
@@ -152,6 +153,6 @@ PICTURE = Picture(
     "Lines: the factors as k* and r* grow.",
     compute=compute,
     draw=draw,
-    subject=Subject("ring:21", l_T=1, l_S=0.5, horizon=14, k=10, r=8),
+    subject=Subject("ring:15", l_T=1, l_S=0.5, horizon=11, k=8, r=6),
     takes=("graph", "mu", "l_f", "l_T", "l_S", "horizon", "k", "r"),
 )

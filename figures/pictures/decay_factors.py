@@ -16,6 +16,7 @@ from ..size import Size
 from ..subject import Subject
 from ..table import Table
 from ._couplings import count_axis, grid, logarithmic, mark_here, rate_axis, say, thin
+from ._text import heading
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -112,7 +113,7 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
             mark_here(panel, (p.a_T, p.a_S)[j])
     panels[0, 0].set_ylabel("rate per step, hop")
     legend_below(figure, [panels[0, 0], panels[0, 1], panels[1, 0], panels[1, 1]])
-    figure.suptitle(f"{network_name(subject)}: decay factors, upper and lower bounds")
+    heading(figure, [f"{network_name(subject)}: decay factors, upper and lower bounds"])
     return figure
 
 

@@ -15,13 +15,14 @@ from ...perturbation import Spec, Target, measure
 from ...perturbation.neighbourhood import Neighbourhood
 from ...perturbation.search import Climb
 from ..looks import LOOKS, MEASURED, SEARCHED, TIERS
-from ..parts import constants, legend_below
+from ..parts import constants, last_part, legend_below, plain
 from ..picture import Picture, Progress
 from ..size import Size
 from ..subject import Subject
 from ..table import Table
 from ._couplings import say
 from ._grids import whole_ticks
+from ._text import heading, log_axis
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -45,7 +46,7 @@ def compute(subject: Subject, progress: Progress) -> Table:
     found: list[dict[str, Any]] = []
     for place, network in enumerate((subject.network, ring)):
         spec = Spec(network, subject.parameters, subject.k, subject.r, seed=subject.seed)
-        name = network.source.replace("\\", "/").rsplit("/", 1)[-1]
+        name = last_part(network.source)
         progress(f"{name}: instances")
         cells = measure(spec, subject.instances).profiles
         progress(f"{name}: search")
@@ -111,15 +112,17 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
         distances = table.where(direction=direction).numbers("distance")
         if len(distances):
             whole_ticks(panels[row, 0], distances)
-        if not any(panel.lines for panel in panels[row]):
+        if any(panel.lines for panel in panels[row]):
+            log_axis(panels[row, 0])
+        else:
             panels[row, 0].set(xticks=[], yticks=[])
     for place, panel in enumerate(panels[0]):
-        panel.set_title(str(table.where(place=place).values("network")[0]))
+        panel.set_title(plain(str(table.where(place=place).values("network")[0]), 40, 12))
     axes = list(panels.ravel())
     if any(panel.get_legend_handles_labels()[1] for panel in axes):
         legend_below(figure, axes)
-    given = constants(subject, "mu", "l_f", "l_T", "l_S")
-    figure.suptitle(f"{given}, $k = {subject.k}, r = {subject.r}$, {subject.instances} instances")
+    given = constants(subject, "mu", "l_f", "l_T", "l_S", "k", "r")
+    heading(figure, [given, f"{subject.instances} instances"])
     return figure
 
 
@@ -138,7 +141,6 @@ def _profile(panel: Axes, rows: Table) -> None:
             alone = {"linestyle": "", "zorder": 4, "markersize": 1.4 * rcParams["lines.markersize"]}
             changes = alone if name == "searched" else {}
             panel.plot(rows.numbers("distance"), values, **look.plot(**changes))
-    panel.set_yscale("log")
     panel.grid(axis="y")
 
 

@@ -11,14 +11,15 @@ from ...lpc.arrays import Floats
 from ...lpc.instances import instance
 from ...lpc.simulation import Simulation, simulate
 from ..looks import INK, NEARSIGHTED, OPTIMUM, PLANNED
-from ..parts import constants, legend_below, network_name
+from ..parts import constants, legend_below, network_name, number
 from ..picture import Picture, Progress
 from ..size import Size
 from ..subject import Subject
 from ..table import Table
+from ._couplings import say
 from ._layers import Part, thin_line
 from ._rings import draw_network
-from ._text import Wish, heading, label, log_ticks, shown
+from ._text import Wish, heading, label, log_axis, log_ticks, shown
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -154,9 +155,11 @@ def _panels(panels: list[Axes], table: Table, subject: Subject, chosen: list[int
         values = np.ma.masked_less(rows.numbers(name), TINY[0])
         hidden |= bool(np.any(values.mask))
         panels[-1].plot(rows.numbers("step"), values, **looks[name].plot(label=texts[name]))
-    panels[-1].set_yscale("log")
-    text = "largest deviation from the optimum"
-    panels[-1].set_title(text + f" (not: below {TINY[0]:g})" * hidden)
+    log_axis(panels[-1])
+    if not any((rows.numbers(name) >= TINY[0]).any() for name in ("short", "long")):
+        say(panels[-1], "nowhere")
+    text = f"largest deviation, where above ${number(TINY[0])}$"
+    panels[-1].set_title(text if hidden else "largest deviation from the optimum")
     panels[-1].set_xlabel("step $t$")
     panels[-1].xaxis.set_major_locator(MaxNLocator(integer=True))
     for panel in panels:

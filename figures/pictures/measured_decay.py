@@ -16,6 +16,7 @@ from ..subject import Subject
 from ..table import Table
 from ._couplings import say
 from ._grids import cells, limits, shade, whole_ticks
+from ._text import heading
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -92,9 +93,8 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
         _violations(panel, rows, tier)
     if any(axes.get_legend_handles_labels()[1] for axes in panels):
         legend_below(figure, list(panels))
-    sight = f"$k = {subject.k}, r = {subject.r}$, {subject.instances} instances"
-    given = constants(subject, "mu", "l_f", "l_T", "l_S")
-    figure.suptitle(f"{network_name(subject)}: {given}, {sight}")
+    given = constants(subject, "mu", "l_f", "l_T", "l_S", "k", "r")
+    heading(figure, [f"{network_name(subject)}: {given}", f"{subject.instances} instances"])
     return figure
 
 

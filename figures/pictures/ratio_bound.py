@@ -16,6 +16,7 @@ from ..subject import Subject
 from ..table import Table
 from ._couplings import count_axis, say
 from ._grids import cells, edges, limits, shade, whole_ticks
+from ._text import heading
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -73,9 +74,10 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
         _outline(left, table.where(tier="sharp", target=target), target, style, (k[-1], r[-1]))
     target = subject.target[min(1, len(subject.target) - 1)]
     _tiers(right, table.where(target=target))
-    right.set_title(f"CR $\\leq$ {target:.9g}, every tier")
+    right.set_title(f"CR $\\leq$ {target:.15g}, every tier")
     legend_below(figure, [left, right])
-    figure.suptitle(f"{network_name(subject)}: {constants(subject, 'mu', 'l_f', 'l_T', 'l_S')}")
+    given = constants(subject, "mu", "l_f", "l_T", "l_S")
+    heading(figure, [f"{network_name(subject)}: {given}"])
     return figure
 
 
@@ -103,7 +105,7 @@ def _outline(panel: Axes, rows: Table, target: float, style: Any, end: tuple[flo
     from matplotlib import patheffects, rcParams
 
     chosen = rows.where(kind="pair").records()
-    label = f"CR $\\leq$ {target:.9g}"
+    label = f"CR $\\leq$ {target:.15g}"
     if not chosen:
         panel.plot([], [], linestyle=style, color=INK, label=f"{label}: out of reach")
         return

@@ -11,12 +11,13 @@ from ...bounds import Parameters, plan
 from ...bounds.lower import final_excess
 from ...lowerbounds import Spatial, asymmetric_excess
 from ..looks import FAINT, LOOKS, LOWER, TIERS
-from ..parts import legend_below, network_name
+from ..parts import legend_below, network_name, number
 from ..picture import Picture, Progress
 from ..size import Size
 from ..subject import LEAST, Subject
 from ..table import Table
 from ._couplings import count_axis, grid, logarithmic, mark_here, say
+from ._text import heading
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -102,7 +103,8 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
         _lines(panel, table, subject, name)
     if table.rows:
         legend_below(figure, list(panels))
-    figure.suptitle(f"{network_name(subject)}: least $k + r$ for CR $\\leq$ {_target(subject):.9g}")
+    what = f"least $k + r$ for CR $\\leq$ {_target(subject):.15g}"
+    heading(figure, [f"{network_name(subject)}: {what}"])
     return figure
 
 
@@ -134,7 +136,7 @@ def _lines(panel: Axes, table: Table, subject: Subject, name: str) -> None:
     panel.grid(axis="y")
     mark_here(panel, (subject.l_T if temporal else subject.l_S) / subject.mu)
     if temporal:
-        beside = f"$\\ell_S = {subject.l_S / subject.l_T:.4g}\\,\\ell_T$"
+        beside = f"$\\ell_S = {number(subject.l_S / subject.l_T, '.4g')}\\,\\ell_T$"
         panel.set_xlabel(f"coupling $\\ell_T/\\mu$, with {beside}")
     else:
         panel.set_xlabel(r"coupling $\ell_S/\mu$, with $\ell_T = 0$")

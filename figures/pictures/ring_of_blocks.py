@@ -20,7 +20,7 @@ from ..subject import Subject
 from ..table import Table
 from ._layers import Part
 from ._rings import draw_network, ring_of, ring_places
-from ._text import Wish, heading, label, shown
+from ._text import Wish, heading, label, log_axis, shown
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -125,6 +125,9 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
     if len(at) < subject.network.vertices:
         parts.append(f"the {len(at)} nearest of {subject.network.vertices} agents drawn")
     heading(figure, parts)
+    if len(values) < len(agents):
+        blank: Any = {"linestyle": "", "marker": "o", "color": INK, "markerfacecolor": "none"}
+        right.plot([], [], label="white: $B_{uv} = 0$", **blank)
     legend_below(figure, right)
     wishes = [Wish(*at[u], shown(subject.network.names[u])) for u in at if len(at) <= NAMED]
     label(left, wishes, np.array(list(at.values())), lines, radius, fontsize=font - 2, color=INK)
@@ -141,9 +144,9 @@ def _decay(axes: Axes, rows: Table, norm: Any) -> None:
         np.ma.masked_less_equal(rows.numbers(n), 0) for n in ("largest", "smallest")
     )
     upper, shortest = (np.ma.masked_less_equal(rows.numbers(n), 0) for n in ("upper", "shortest"))
-    axes.plot(
-        kappa, upper, **SHARP.plot(marked=False, label=r"sharp upper bound $c\,\gamma_S^\kappa$")
-    )
+    alone = len(kappa) == 1  # a line needs two distances
+    bound = r"sharp upper bound $c\,\gamma_S^\kappa$"
+    axes.plot(kappa, upper, **SHARP.plot(marked=alone, label=bound))
     area = (0.8 * float(rcParams["lines.markersize"])) ** 2
     axes.vlines(kappa, smallest, largest, color=EXACT.colour)
     for values, text in ((largest, "exact, colours as on the left"), (smallest, "")):
@@ -155,10 +158,13 @@ def _decay(axes: Axes, rows: Table, norm: Any) -> None:
     axes.plot(kappa, shortest, **LOWER.plot(label="lower bound: shortest walks"))
     if not np.isnan(rows.numbers("printed")).all():
         axes.plot(kappa, rows.numbers("printed"), **STATED.plot(label="stated lower bound"))
-    axes.set_yscale("log")
+    log_axis(axes)
     axes.set_xlabel(r"distance $\kappa = d(u, v)$ (hops)")
     axes.set_ylabel(r"entry $B_{uv}$ of $(I + \frac{\ell_S}{2\mu} L)^{-1}$")
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+    if alone:
+        axes.set_xlim(-1, 1)
+        axes.set_xticks(kappa)
     axes.grid(axis="y")
 
 

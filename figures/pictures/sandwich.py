@@ -13,6 +13,8 @@ from ..picture import Picture, Progress
 from ..size import Size
 from ..subject import Subject
 from ..table import Table
+from ._couplings import say
+from ._text import heading, log_axis
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -54,10 +56,13 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
         panel.set_title(f"$k = {k}$")
         panel.set_xlabel("radius $r$ (hops)")
     panels[0].set_ylabel("competitive ratio $-$ 1")
+    if not any((table.numbers(name) > 0).any() for name in ("worst", "lower", *TIERS)):
+        for panel in panels:
+            say(panel, "CR = 1:\nnothing is coupled")
+    log_axis(panels[0])
     legend_below(figure, list(panels))
-    figure.suptitle(
-        f"{network_name(subject)}: {constants(subject, 'horizon', 'mu', 'l_f', 'l_T', 'l_S')}"
-    )
+    given = constants(subject, "horizon", "mu", "l_f", "l_T", "l_S")
+    heading(figure, [f"{network_name(subject)}: {given}"])
     return figure
 
 
@@ -75,7 +80,6 @@ def _panel(panel: Axes, rows: Table, whole: Table) -> None:
     panel.fill_between(
         r, rows.numbers("lower"), rows.numbers("sharp"), color=SHARP.colour, alpha=0.08, linewidth=0
     )
-    panel.set_yscale("log")
     panel.set_xticks(r)
     panel.grid(axis="y")
 
