@@ -74,7 +74,18 @@ def draw_one(
     try:
         subject = picture.subject.with_typed(typed, picture.takes)
         table, reused = _data(picture, subject, folder / f"{name}.csv", reuse, progress)
-        found, files = _drawn(picture, table, subject, SIZES[size], folder, formats)
+        how = subject, SIZES[size], folder, formats
+        try:
+            found, files = _drawn(picture, table, *how)
+        except (LookupError, TypeError, ValueError):
+            if not reused:
+                raise
+            # what is not what this picture computes was damaged, or is somebody else's
+            table, reused = _data(picture, subject, folder / f"{name}.csv", False, progress)
+            found, files = _drawn(picture, table, *how)
+    except OSError as error:
+        text = f"out = {folder}: the files of {name} cannot be used: {error.strerror}"
+        return Drawn(name, (), False, (), time.perf_counter() - start, text, "out")
     except InputError as error:
         return Drawn(name, (), False, (), time.perf_counter() - start, str(error), error.argument)
     return Drawn(name, (folder / f"{name}.csv", *files), reused, found, time.perf_counter() - start)

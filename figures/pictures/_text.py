@@ -52,15 +52,18 @@ def heading(figure: Figure, parts: Sequence[str]) -> None:
 
 
 def log_ticks(axis: Axis, low: float, high: float) -> None:
-    """Mark powers of ten, and 2 and 5 times them on a short logarithmic scale."""
+    """Mark powers of ten, and 2 and 5 times them, or 3 times, where these are few."""
     from matplotlib.ticker import FixedLocator, LogFormatterSciNotation, NullFormatter
 
     decades = range(int(np.floor(np.log10(low))), int(np.ceil(np.log10(high))) + 1)
-    steps = (1, 2, 5) if np.log10(high / low) < 1.5 else (1,)
+    alone = sum(low <= 10.0**e <= high for e in decades) < 2
+    long = np.log10(high / low)
+    steps = (1, 2, 5) if long < (1.0 if alone else 1.5) else (1, 3) if alone else (1,)
     apart = max(1, len(decades) // 6)
     ticks = [m * 10.0**e for e in decades if e % apart == 0 for m in steps]
     axis.set_major_locator(FixedLocator([tick for tick in ticks if low <= tick <= high]))
-    axis.set_major_formatter(LogFormatterSciNotation(labelOnlyBase=False))
+    every = (np.inf, np.inf)  # decades up to which 2 and 5 have labels
+    axis.set_major_formatter(LogFormatterSciNotation(minor_thresholds=every))
     axis.set_minor_formatter(NullFormatter())
 
 

@@ -155,8 +155,10 @@ def _panels(panels: list[Axes], table: Table, subject: Subject, chosen: list[int
         values = np.ma.masked_less(rows.numbers(name), TINY[0])
         hidden |= bool(np.any(values.mask))
         panels[-1].plot(rows.numbers("step"), values, **looks[name].plot(label=texts[name]))
-    log_axis(panels[-1])
-    if not any((rows.numbers(name) >= TINY[0]).any() for name in ("short", "long")):
+    if any((rows.numbers(name) >= TINY[0]).any() for name in ("short", "long")):
+        log_axis(panels[-1])
+    else:
+        panels[-1].set_yticks([])
         say(panels[-1], "nowhere")
     text = f"largest deviation, where above ${number(TINY[0])}$"
     panels[-1].set_title(text if hidden else "largest deviation from the optimum")

@@ -14,6 +14,7 @@ from ..size import Size
 from ..subject import Subject
 from ..table import Table
 from ._couplings import say
+from ._grids import whole_ticks
 from ._text import heading, log_axis
 
 if TYPE_CHECKING:
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _SMALL = 50  # actions up to which couplings are searched
+_PANELS = 5  # at most; of more horizons some are drawn, from the least to the largest
 _STEPS = 25  # of the climb from uniform couplings, one for each k and r
 
 
@@ -48,7 +50,9 @@ def compute(subject: Subject, progress: Progress) -> Table:
 
 def draw(table: Table, subject: Subject, size: Size) -> Figure:
     """Draw one panel for each k, over r; between the floor and the certificate all is possible."""
-    horizons = table.distinct("k")
+    every = table.distinct("k")
+    spread = np.unique(np.linspace(0, len(every) - 1, _PANELS).round().astype(int))
+    horizons = [every[i] for i in spread]
     figure = size.figure("page", 0.42)
     panels = figure.subplots(1, len(horizons), sharex=True, sharey=True, squeeze=False)[0]
     for panel, k in zip(panels, horizons, strict=True):
@@ -56,13 +60,16 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
         panel.set_title(f"$k = {k}$")
         panel.set_xlabel("radius $r$ (hops)")
     panels[0].set_ylabel("competitive ratio $-$ 1")
-    if not any((table.numbers(name) > 0).any() for name in ("worst", "lower", *TIERS)):
+    if any((table.numbers(name) > 0).any() for name in ("worst", "lower", *TIERS)):
+        log_axis(panels[0])
+    else:
+        panels[0].set_yticks([])
         for panel in panels:
             say(panel, "CR = 1:\nnothing is coupled")
-    log_axis(panels[0])
     legend_below(figure, list(panels))
     given = constants(subject, "horizon", "mu", "l_f", "l_T", "l_S")
-    heading(figure, [f"{network_name(subject)}: {given}"])
+    some = [f"{len(horizons)} of {len(every)} horizons $k$ drawn"] * (len(horizons) < len(every))
+    heading(figure, [f"{network_name(subject)}: {given}", *some])
     return figure
 
 
@@ -80,7 +87,7 @@ def _panel(panel: Axes, rows: Table, whole: Table) -> None:
     panel.fill_between(
         r, rows.numbers("lower"), rows.numbers("sharp"), color=SHARP.colour, alpha=0.08, linewidth=0
     )
-    panel.set_xticks(r)
+    whole_ticks(panel, r)
     panel.grid(axis="y")
 
 

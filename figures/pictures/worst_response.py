@@ -126,7 +126,7 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
     radius = layers.radius(figure, size) * 1.2
     mesh = draw_marks(left, layers, nodes, radius, norm, subject.centre)
     bar = figure.colorbar(mesh, ax=left, location="bottom", fraction=0.05, aspect=45, pad=0)
-    bar.set_label("moved by one unit of the starred variable (white: unmoved)")
+    bar.set_label("moved by one unit of the star (white: unmoved)")
     log_ticks(bar.ax.xaxis, norm.vmin, norm.vmax)
     draw_decay(right, free, norm.vmin)
     parts = [network_name(subject), f"agent {shown(subject.network.names[subject.centre])}"]
