@@ -4,9 +4,15 @@ import re
 
 import click
 from docutils import nodes
+from sphinx import addnodes
 from sphinx.util.docutils import SphinxDirective
 
 from nearsight.cli import cli
+
+ARGUMENTS = {  # of which `--help` says nothing but the name
+    "names": "Pictures to draw; all if none is named (see the gallery).",
+    "labels": "Claims; all if none is named.",
+}
 
 
 class Commands(SphinxDirective):
@@ -27,9 +33,44 @@ class Commands(SphinxDirective):
         found += nodes.literal_block(usage, usage, language="none")
         for text in (command.help or "").split("\n\n"):
             found += prose(text)
-        rows = [p.get_help_record(context) for p in command.get_params(context)]
-        found += table([row for row in rows if row])
+        rows = []
+        for parameter in command.get_params(context):
+            if isinstance(parameter, click.Argument):
+                rows.append((parameter.make_metavar(context), ARGUMENTS[parameter.name]))
+            elif row := parameter.get_help_record(context):
+                rows.append(row)
+        found += table(rows)
+        closing = Rows()
+        command.format_epilog(context, closing)
+        if closing.rows:
+            found += self.pictures()
+            found += table(closing.rows)
         return found
+
+    def pictures(self):
+        """Return the line above the list of pictures, with a link to the gallery."""
+        link = addnodes.pending_xref(
+            refdoc=self.env.docname,
+            refdomain="std",
+            reftype="doc",
+            reftarget="/gallery",
+            refexplicit=True,
+        )
+        link += nodes.inline("", "gallery")
+        text = "The pictures, and in brackets the options that each takes; they are shown in the "
+        return nodes.paragraph("", "", nodes.Text(text), link, nodes.Text("."))
+
+
+class Rows(click.HelpFormatter):
+    """What keeps the list that a command's help ends with."""
+
+    def __init__(self):
+        super().__init__()
+        self.rows = []
+
+    def write_dl(self, rows, col_max=30, col_spacing=2):
+        """Keep rows of name and text."""
+        self.rows += rows
 
 
 def prose(text):

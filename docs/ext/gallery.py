@@ -1,5 +1,7 @@
 """``{gallery}``: every picture of `nearsight figures`, with its caption and its command."""
 
+import re
+
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
@@ -18,10 +20,13 @@ class Gallery(SphinxDirective):
         """Return title, picture, caption, command and the options it takes."""
         found = nodes.section(ids=[f"figure-{picture.name}"], names=[picture.name])
         found += nodes.title(picture.name, picture.name)
-        found += nodes.paragraph("", picture.title)
+        found += nodes.paragraph("", unbroken(picture.title))
         figure = nodes.figure(classes=["picture"])
-        figure += nodes.image(uri=f"figures/{picture.name}.svg", alt=picture.title)
-        figure += nodes.caption("", picture.caption)
+        file = f"{picture.name}.svg"
+        link = nodes.reference(refuri=f"_images/{file}", internal=True)  # where Sphinx puts it
+        link += nodes.image(uri=f"figures/{file}", alt=picture.title)
+        figure += link
+        figure += nodes.caption("", unbroken(picture.caption))
         found += figure
         command = f"nearsight figures {picture.name}"
         found += nodes.literal_block(command, command, language="none")
@@ -29,11 +34,19 @@ class Gallery(SphinxDirective):
         for name in picture.takes:
             text += nodes.Text(" ")
             text += nodes.literal("", option_of(name))
+        if picture.takes:
+            text += nodes.Text(".")
         if picture.label:
             text += nodes.Text(" In the paper: ")
             text += nodes.literal("", picture.label)
         found += text
         return found
+
+
+def unbroken(text):
+    """Return a text in which a line does not end within a sum or a comparison."""
+    # A browser breaks a line behind a hyphen, even before a no-break space: hence the word joiner.
+    return re.sub(r" ([-+=]|[<>]=?) (?=\S)", "\u00a0\\1\u2060\u00a0", text)
 
 
 def setup(app):
