@@ -24,9 +24,10 @@ def read_graph(path: str | Path, clean: bool = False) -> Network:
     Parameters
     ----------
     path : str or Path
-        With one of the suffixes in `SUFFIXES`: GraphML, GML, GEXF, edge list (a pair of names a
-        line), adjacency list (a name and its neighbours a line), JSON in node-link form, or
-        Matrix Market (a square matrix with symmetric pattern: every stored entry is an edge).
+        With one of the suffixes in `SUFFIXES`: GraphML, GML, GEXF, edge list (two names a line,
+        then weights, a dict or nothing), adjacency list (a name and its neighbours a line), JSON in
+        node-link form, or Matrix Market (a square matrix with symmetric pattern: every stored entry
+        is an edge). Text is UTF-8.
     clean : bool
         Drop directions, parallel edges and self-loops instead of rejecting them.
 
@@ -53,6 +54,8 @@ def read_graph(path: str | Path, clean: bool = False) -> Network:
         raise
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: not UTF-8; save it as UTF-8") from error
     except Exception as error:
         # the readers raise whatever malformed input happens to lead to
         reason = " ".join(str(error).split()) or type(error).__name__
@@ -100,15 +103,32 @@ def _json(path: Path) -> AnyGraph:
 
 
 def _edgelist(path: Path) -> AnyGraph:
-    """Read one edge a line; what follows the two names (data, weights) is ignored."""
+    """Read one edge a line; what follows the two names, weights or a dict, is ignored."""
     import networkx as nx
 
     graph: AnyGraph = nx.MultiGraph()
     for number, words in _lines(path):
+        if "," in "".join(words[:2]) or not _is_data(words[2:]):
+            # names with blanks, or separated by commas, would be read as other vertices
+            raise InputError(
+                f"{path}, line {number}: {' '.join(words)!r}: two names without blanks or commas, "
+                f"then weights or nothing; for such names use .graphml or .json"
+            )
         if len(words) < 2:
             raise ValueError(f"line {number} has one name, an edge has two")
         graph.add_edge(words[0], words[1])
     return graph
+
+
+def _is_data(words: list[str]) -> bool:
+    """Return whether words are numbers, or a dict (cut short by a # in it, perhaps)."""
+    if words and words[0].startswith("{"):
+        return True
+    try:
+        _ = [float(word) for word in words]
+    except ValueError:
+        return False
+    return True
 
 
 def _adjlist(path: Path) -> AnyGraph:

@@ -98,6 +98,45 @@ def test_edge_data_and_comments_are_ignored(tmp_path):
     assert read_graph(path).edges == 2
 
 
+DATA_OF_EDGES = [
+    "",
+    " 1",
+    " -2.5e3 4",
+    " {}",
+    " {'w': 1, 'name': 'a, b'}",
+    " {'colour': '#fff'} # red",
+]
+
+
+@pytest.mark.parametrize("data", DATA_OF_EDGES)
+def test_weights_and_dicts_may_follow_an_edge(data, tmp_path):
+    path = tmp_path / "a.edgelist"
+    path.write_text(f"# all\na b{data}\n")
+    assert read_graph(path).names == ("a", "b")
+
+
+@pytest.mark.parametrize(
+    "line", ["bus 1,bus 2", "a b c d", "a, b", "a,b", "(0, 0) (0, 1)", "1 2 x"]
+)
+def test_names_that_an_edge_list_cannot_hold_are_refused(line, tmp_path):
+    path = tmp_path / "sp.edgelist"
+    path.write_text(f"a b\n{line}\n")
+    with pytest.raises(InputError) as caught:
+        read_graph(path)
+    assert str(caught.value) == (
+        f"{path}, line 2: {line!r}: two names without blanks or commas, then weights or nothing; "
+        "for such names use .graphml or .json"
+    )
+
+
+@pytest.mark.parametrize("suffix", [".edgelist", ".adjlist", ".json", ".gml"])
+def test_other_encodings_are_named(suffix, tmp_path):
+    path = tmp_path / f"a{suffix}"
+    path.write_bytes("Zürich Genf\n".encode("latin-1"))
+    with pytest.raises(InputError, match=r"not UTF-8; save it as UTF-8$"):
+        read_graph(path)
+
+
 def test_matrix_diagonal_and_dense(tmp_path):
     laplacian = nx.laplacian_matrix(GRAPH)
     mmwrite(tmp_path / "l.mtx", laplacian, symmetry="symmetric")
@@ -115,10 +154,10 @@ def test_gml_without_labels_uses_the_numbers(tmp_path):
     assert read_graph(tmp_path / "a.gml").names == ("3", "5")
 
 
-@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("suffix", [s for s in SUFFIXES if s not in (".edgelist", ".adjlist")])
 def test_malformed_files_are_named(suffix, tmp_path):
     path = tmp_path / f"graph{suffix}"
-    path.write_bytes(b"\xff\xfe not a graph [ <")
+    path.write_text("not a graph [ <")
     with pytest.raises(InputError, match=f"graph{suffix}: not a well-formed {suffix} file") as e:
         read_graph(path)
     assert "\n" not in str(e.value)
