@@ -47,6 +47,9 @@ from .problem import Problem
 
 FORMAT = "nearsight-problem"
 VERSION = 1
+OTHERS = (
+    "not a problem file; those are written by --save or save_problem (a network goes to --graph)"
+)
 ENTRY = "problem.json"
 PARTS = ("H", "network", "node", "temporal", "spatial", "feasible", "x_0")
 
@@ -155,15 +158,20 @@ def _entries(path: Path) -> dict[str, Any]:
     """Return all arrays of an archive; raise `InputError` if it is none."""
     try:
         with path.open("rb") as stream:
+            if stream.read(2) != b"PK":  # how zip archives begin; numpy would guess on
+                raise InputError(f"{path}: {OTHERS}")
+            stream.seek(0)
             archive = np.load(stream, allow_pickle=False)
-            if isinstance(archive, np.ndarray):
-                raise ValueError("a single array")
             return {name: archive[name] for name in archive.files}
     except FileNotFoundError as error:
         raise InputError(f"{path}: no such file; a file of save_problem is needed") from error
+    except InputError:
+        raise
     except Exception as error:
         # zipfile and numpy raise whatever damaged input happens to lead to
         reason = " ".join(str(error).split()) or type(error).__name__
+        if "allow_pickle" in reason:  # objects of Python, which no problem file holds
+            raise InputError(f"{path}: {OTHERS}") from error
         raise InputError(f"{path}: not a problem file, or damaged: {reason}") from error
 
 

@@ -281,6 +281,7 @@ BAD = {
     ),
     "--problem none.npz -k 2 -r 1": ("--problem none.npz", "no such file", "save_problem"),
     "--problem text.npz -k 2 -r 1": ("--problem text.npz", "not a problem file"),
+    "--problem g.json -k 2 -r 1": ("--problem g.json: not a problem file", "--save", "to --graph"),
     "--problem empty.npz -k 2 -r 1": ("--problem empty.npz", "not a problem file"),
     "--problem torn.npz -k 2 -r 1": ("--problem torn.npz", "not a problem file"),
     "--problem other.npz -k 2 -r 1": ("--problem other.npz", "not a problem file"),
@@ -305,6 +306,7 @@ def folder(tmp_path_factory):
     ns.save_problem(problem, path / "good.npz")
     ns.simulate(problem, k=3, r=2, checkpoint=path / "steps")
     (path / "text.npz").write_text("not one\n", encoding="utf-8")
+    (path / "g.json").write_text('{"nodes": [{"id": 0}], "edges": []}', encoding="utf-8")
     (path / "empty.npz").write_bytes(b"")
     (path / "torn.npz").write_bytes((path / "good.npz").read_bytes()[:-300])
     np.savez(path / "other.npz", x=np.zeros(3))

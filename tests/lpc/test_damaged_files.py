@@ -86,6 +86,7 @@ def archive(**entries):
         archive(**{"problem.json.npy": npy(np.frombuffer(b"[]", dtype=np.uint8))}),
         archive(**{"problem.json.npy": npy(np.array([{}], dtype=object), allow_pickle=True)}),
         archive(**{"problem.json.npy": npy(np.frombuffer(b"[" * 99999, dtype=np.uint8))}),
+        b'{"nodes": [{"id": 0}], "edges": []}',
     ],
 )
 def test_foreign_files_are_refused(data, tmp_path):
@@ -94,6 +95,14 @@ def test_foreign_files_are_refused(data, tmp_path):
     with pytest.raises(InputError, match="not a problem file") as caught:
         load_problem(path)
     assert "\n" not in str(caught.value)
+    assert "pickle" not in str(caught.value)
+
+
+def test_a_network_given_as_a_problem_is_sent_where_it_belongs(tmp_path):
+    path = tmp_path / "g.json"
+    path.write_text('{"nodes": [{"id": 0}], "edges": []}')
+    with pytest.raises(InputError, match=r"written by --save .*\(a network goes to --graph\)$"):
+        load_problem(path)
 
 
 def test_truncated_and_flipped_files_are_refused(tmp_path):
