@@ -61,7 +61,7 @@ def setting(
     from .graphs import InputError, network_growth, parse_growth
 
     if (graph is None) == (growth is None):
-        raise InputError("exactly one of graph and growth is needed")
+        raise InputError("exactly one of graph and growth is needed (--graph, --growth)")
     parameters = Parameters(mu, l_f, l_T, l_S)
     size: Growth
     if growth is None:

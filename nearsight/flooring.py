@@ -71,7 +71,7 @@ def lower_bound(
     from .lowerbounds import floor
 
     if (graph is None) == (growth is None):
-        raise InputError("exactly one of graph and growth is needed")
+        raise InputError("exactly one of graph and growth is needed (--graph, --growth)")
     if save is not None and graph is None:
         raise InputError("an instance needs a finite graph, not a growth", "save")
     finite = None if graph is None else network(graph, seed, clean)

@@ -11,6 +11,7 @@ import numpy as np
 from ...bounds import Setting, bounds_for
 from ...bounds.lower import final_excess
 from ...bounds.planner import plan_excess
+from ...graphs import InputError
 from ...lowerbounds import Spatial, asymmetric_excess, worst_case
 from ...lpc.instances import instance
 from ..looks import EXACT, INK, LOOKS, SHARP, TIERS
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _NAMES = {"time": ("k", "steps"), "space": ("r", "hops")}
+_MOST = 1000  # actions up to which worst cases are computed
 _LABEL = "coro:resource-augmentation"
 
 
@@ -66,6 +68,12 @@ def _floors(subject: Subject, direction: str) -> Iterator[tuple[int, float]]:
 def _worst(subject: Subject, direction: str, progress: Progress) -> dict[int, float]:
     """Return the exact worst case of LPC by what it sees in one direction, uniform couplings."""
     network, H = subject.network, subject.horizon
+    if network.vertices * H > _MOST:
+        raise InputError(
+            f"horizon = {H}: at most {_MOST} actions over all steps, {network.vertices} agents take "
+            f"{network.vertices * H}",
+            "horizon",
+        )
     problem = instance(network, H, subject.parameters)
     found = {}
     for seen in range(2, H + 2) if direction == "time" else range(1, network.vertices + 1):
@@ -129,7 +137,7 @@ def _panel(panel: Axes, direction: str, rows: Table) -> None:
         name = "rates" if tier == "stated" else tier
         label = "limit, printed rates here" if tier == "stated" else f"limit, {tier}"
         if name in factors:
-            look = LOOKS[tier].plot(label=label, marked=False, linestyle=(0, (1.5, 1.5)))
+            look = LOOKS[tier].plot(label=label, marked=False)
             panel.axhline(factors[name], **{**look, "markerfacecolor": "none"})
     shown = np.concatenate([measured, certified, list(factors.values())])
     count_axis(panel, shown[np.isfinite(shown)])

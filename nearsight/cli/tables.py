@@ -65,7 +65,11 @@ def print_plan(plan: Plan, frontier: bool) -> None:
         lines.add_row(*row, style=_STYLE[t.tier])
     _show(console, lines)
     if any("*" in row[2] for row in rows):
-        console.print("* every agent decides for all it is connected to")
+        console.print(
+            "* every agent decides for all it is connected to; the formula asks for this r all the "
+            "same",
+            soft_wrap=True,
+        )
     for t in plan.tiers:
         if t.reason:
             console.print(f"{t.tier}: {t.reason}", soft_wrap=True)

@@ -158,6 +158,19 @@ def print_rows(found: Sandwich, needed: tuple[Augmented, ...] | None) -> None:
             f"! violated at k = {v.k}, r = {v.r}: {v.tier} certificate {number(v.certificate)} "
             f"is below {v.below} = {number(v.value)}"
         )
+    missing = [
+        why
+        for why, columns in (
+            ("not searched", [row.searched for row in found.rows]),
+            (
+                "no certificate",
+                [c for row in found.rows for c in (row.stated, row.repaired, row.sharp)],
+            ),
+        )
+        if None in columns
+    ]
+    if missing:
+        click.echo(f"-: {' or '.join(missing)} here")
     if not found.violations:
         click.echo("no certificate is violated")
     if needed is not None:

@@ -17,6 +17,8 @@ CASES = {
     f"plan --growth line {COSTS} --target 1": ("--target", "1.0", "> 1"),
     f"plan --growth line {COSTS} --target nan": ("--target", "nan", "finite"),
     f"plan --growth line {COSTS} --target abc": ("--target", "abc", "float"),
+    "plan --growth line --mu=1 --target 1.1": ("--l-f, --l-t, --l-s are needed", "plan --help", ""),
+    f"plan --growth line {COSTS}": ("--target is needed", "", ""),
     f"plan {COSTS} --target 1.1": ("graph", "growth", "exactly one"),
     f"plan --graph ring:5 --growth line {COSTS} --target 1.1": ("graph", "growth", "exactly one"),
     f"plan --growth lin {COSTS} --target 1.1": ("--growth", "lin", "grid2"),
@@ -38,7 +40,7 @@ CASES = {
     f"bound --growth line {COSTS} --b 1": ("--b", "1", "two numbers"),
     f"bound --growth line {COSTS} --b 1,0": ("--b", "0", "> 0"),
     f"bound --growth line {COSTS} --label thm:none": ("--label", "thm:none", "thm:bottleneck"),
-    "plan --growth line": ("--mu", "Missing", ""),
+    "plan --growth line": ("--mu", "--target", "needed"),
     "plann": ("plann", "bound, measure, plan, simulate", ""),
 }
 

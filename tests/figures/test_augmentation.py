@@ -58,3 +58,8 @@ def test_floors_are_those_of_the_command(table):
     for row in table.where(kind="finite", direction="space").records():
         found = ns.lower_bound(graph="path:5", **GIVEN, k=9, r=row["star"])
         assert row["lower"] == pytest.approx(found.spatial.cr_minus_one, rel=1e-12)
+
+
+def test_what_would_take_too_long_is_refused(tmp_path):
+    with pytest.raises(ns.InputError, match="horizon = 200: at most 1000 actions over all steps"):
+        ns.draw("augmentation", out=tmp_path, graph="ring:9", horizon=200)

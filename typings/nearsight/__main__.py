@@ -1,0 +1,1 @@
+../../nearsight/__main__.py
