@@ -142,7 +142,7 @@ def _lifter(arithmetic: str) -> Any:
             import flint
         except ImportError as error:
             raise InputError(
-                "arithmetic 'arb' needs python-flint: install nearsight[certify]"
+                "arithmetic 'arb' needs python-flint: pip install python-flint (the extra certify)"
             ) from error
         return flint.arb
     raise InputError(

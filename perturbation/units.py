@@ -58,7 +58,7 @@ def _on_cores(workers: int, units: Mapping[int, Unit]) -> Iterator[tuple[int, Fl
         from joblib import Parallel, delayed
     except ImportError as error:
         raise InputError(
-            "workers > 1 need joblib: install nearsight[parallel]", "workers"
+            "workers > 1 need joblib: pip install joblib (the extra parallel)", "workers"
         ) from error
     # one thread of linear algebra in every process
     parallel = Parallel(n_jobs=workers, return_as="generator_unordered", inner_max_num_threads=1)
@@ -69,7 +69,8 @@ def _on_cluster(address: str, units: Mapping[int, Unit]) -> Iterator[tuple[int, 
     try:
         from distributed import Client, as_completed
     except ImportError as error:
-        raise InputError("a cluster needs Dask: install nearsight[parallel]", "cluster") from error
+        text = "a cluster needs Dask: pip install 'dask[distributed]' (the extra parallel)"
+        raise InputError(text, "cluster") from error
     try:
         client = Client(address, timeout="10s")
     except (OSError, ValueError) as error:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import time
+from bisect import bisect_left
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict
 from difflib import get_close_matches
 from functools import partial
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +26,7 @@ from .recorded import changes, recorded
 from .results import Mutation, Report
 
 Progress = Callable[[int, int], None]
-_EXTRA = {"flint": "python-flint", "z3": "z3-solver"}
+_EXTRA = {"z3": "z3-solver", "flint": "python-flint"}
 
 
 def run(
@@ -99,9 +101,18 @@ def choose(claims: Sequence[Claim], labels: Sequence[str]) -> tuple[Claim, ...]:
     for label in labels:
         if label not in names:
             near = get_close_matches(label, names, 5, 0.5) or [n for n in names if label in n][:5]
-            hint = f"near it: {', '.join(near)}" if near else "`nearsight verify` lists them all"
-            raise InputError(f"LABEL: no claim {label!r}; {hint}")
+            hint = "near it" if near else "next to it in the alphabet"
+            near = near or _neighbours(label, {claim.label for claim in claims})
+            raise InputError(f"LABEL: no claim {label!r}; {hint}: {', '.join(near)}")
     return tuple(c for c in claims if not labels or c.label in labels or c.key in labels)
+
+
+def _neighbours(label: str, labels: Iterable[str], count: int = 5) -> list[str]:
+    """Return the labels that would stand around this one in the alphabet."""
+    ordered = sorted(labels, key=str.casefold)
+    place = bisect_left(ordered, label.casefold(), key=str.casefold)
+    first = max(0, min(place - count // 2, len(ordered) - count))
+    return ordered[first : first + count]
 
 
 def uses(claims: Iterable[Claim]) -> nx.DiGraph[str]:
@@ -181,8 +192,12 @@ def _compute(kind: str, level: Level, claim: Claim | str) -> Any:
 
 
 def _missing(error: ImportError) -> str:
-    name = _EXTRA.get(error.name or "", error.name)
-    return f"verification needs {name}: install nearsight[certify]"
+    """Return what to install, all of it at once."""
+    name = (error.name or "").partition(".")[0]
+    packages = [p for m, p in _EXTRA.items() if name in _EXTRA and (m == name or not find_spec(m))]
+    packages = packages or [name or str(error)]
+    extra = " (the extra certify)" if name in _EXTRA else ""
+    return f"verification needs {' and '.join(packages)}: pip install {' '.join(packages)}{extra}"
 
 
 def _value(value: Any) -> Any:

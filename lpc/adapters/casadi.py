@@ -51,7 +51,7 @@ def minimise(
     try:
         import casadi
     except ImportError as error:
-        text = "method = casadi: not installed; install nearsight[nlp]"
+        text = "method = casadi: not installed; pip install casadi (the extra nlp)"
         raise InputError(text, "method") from error
     shape = (len(terms.free), terms.problem.n)
     first = np.zeros(shape) if start is None else np.asarray(start)

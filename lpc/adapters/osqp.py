@@ -39,7 +39,8 @@ def minimise(
     try:
         import osqp
     except ImportError as error:
-        raise InputError("method = osqp: not installed; install nearsight[qp]", "method") from error
+        text = "method = osqp: not installed; pip install osqp (the extra qp)"
+        raise InputError(text, "method") from error
     problem, shape = terms.problem, (len(terms.free), terms.problem.n)
     box = problem.feasible
     if not problem.quadratic or not (isinstance(box, Box) or box.everywhere):

@@ -386,13 +386,17 @@ def test_a_cluster_that_is_not_there(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("words", "module"), [("--workers 2", "joblib"), ("--cluster tcp://a:1", "distributed")]
+    ("words", "module", "package"),
+    [
+        ("--workers 2", "joblib", "joblib"),
+        ("--cluster tcp://a:1", "distributed", "'dask[distributed]'"),
+    ],
 )
-def test_a_library_that_is_not_there(words, module, monkeypatch, capsys):
+def test_a_library_that_is_not_there(words, module, package, monkeypatch, capsys):
     monkeypatch.setitem(sys.modules, module, None)
     line = refused(f"{SEEN} --instances 45 {words}", monkeypatch, capsys)
     assert words.split()[0] in line
-    assert "nearsight[parallel]" in line
+    assert f"pip install {package} (the extra parallel)" in line
 
 
 def test_a_solver_that_fails_is_one_line_too(monkeypatch, capsys):

@@ -66,6 +66,11 @@ def test_a_claim_without_verdict_is_an_error_and_not_recorded(path):
 def test_an_unknown_label_lists_near_ones():
     with pytest.raises(InputError, match="near it: thm:top"):
         run(["thm:tp"], claims=claims())
+    many = [Claim(f"thm:{x}", x, "x", "", (ALGEBRA,)) for x in "hAgBfCeD"]
+    for given, five in (("THM:D5zzzzzzzzzzz", "CDefg"), ("zzz", "Defgh"), ("!!", "ABCDe")):
+        with pytest.raises(InputError) as caught:
+            run([given], claims=many)
+        assert str(caught.value).endswith(": " + ", ".join(f"thm:{x}" for x in five))
     with pytest.raises(InputError, match="quick or full"):
         run(level="slow", claims=claims())
 
@@ -160,5 +165,13 @@ def test_a_strange_checkpoint_is_refused(tmp_path):
 
 def test_a_missing_library_says_what_to_install(monkeypatch):
     monkeypatch.setitem(__import__("sys").modules, "z3", None)
-    with pytest.raises(InputError, match=r"z3-solver: install nearsight\[certify\]"):
-        run(claims=[Claim("lemma:z", "z", "z", "", (DECISION,))])
+    z = [Claim("lemma:z", "z", "z", "", (DECISION,))]
+    with pytest.raises(InputError, match=r"needs z3-solver: pip install z3-solver \(the extra"):
+        run(claims=z)
+    monkeypatch.setitem(__import__("sys").modules, "flint", None)
+    with pytest.raises(InputError) as caught:
+        run(claims=z)
+    assert str(caught.value) == (
+        "verification needs z3-solver and python-flint: pip install z3-solver python-flint "
+        "(the extra certify)"
+    )
