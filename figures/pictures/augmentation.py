@@ -70,8 +70,8 @@ def _worst(subject: Subject, direction: str, progress: Progress) -> dict[int, fl
     network, H = subject.network, subject.horizon
     if network.vertices * H > _MOST:
         raise InputError(
-            f"horizon = {H}: at most {_MOST} actions over all steps, {network.vertices} agents take "
-            f"{network.vertices * H}",
+            f"horizon = {H}: at most {_MOST} actions over all steps, "
+            f"{network.vertices} agents take {network.vertices * H}",
             "horizon",
         )
     problem = instance(network, H, subject.parameters)
