@@ -47,10 +47,15 @@ def network(s: Setting) -> dict[str, Any]:
     return document
 
 
+def size_of(vertices: int, edges: int | None) -> str:
+    """Return how large a network is, for people."""
+    return f"{vertices} agent{'s' * (vertices != 1)}, {edges} edge{'s' * (edges != 1)}"
+
+
 def headline(s: Setting) -> str:
     """Return one line on the network and one on the costs, for people."""
     g, p = s.growth, s.parameters
-    size = f"{g.vertices} agents, {g.edges} edges, " if g.vertices is not None else ""
+    size = f"{size_of(g.vertices, g.edges)}, " if g.vertices is not None else ""
     sets = "every set all of R^n" if s.unconstrained else "any convex product constraints"
     return (
         f"{g.source}: {size}degree at most {g.max_degree}\n"

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from .output import size_of
 from .tables import number
 
 if TYPE_CHECKING:
@@ -76,7 +77,7 @@ def print_simulation(run: Simulation, promised: Promise) -> None:
     problem, found = run.problem, promised.constants
     network = problem.network
     click.echo(
-        f"{network.source}: {problem.N} agents, {network.edges} edges; "
+        f"{network.source}: {size_of(problem.N, network.edges)}; "
         f"{problem.H} steps, actions of {problem.n} number{'s' * (problem.n > 1)}"
     )
     shown = (f"{name} = {getattr(found, name).value:g}" for name in _CONSTANTS)

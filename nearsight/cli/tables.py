@@ -8,6 +8,7 @@ import click
 import numpy as np
 from rich import box
 from rich.console import Console
+from rich.measure import Measurement
 from rich.table import Table
 
 from ..bounds import Prices
@@ -42,8 +43,15 @@ def _show(console: Console, lines: Table) -> None:
 
 
 def show(lines: Table) -> None:
-    """Print a table at the width of the terminal."""
-    _show(_console(), lines)
+    """Print a table at the width of the terminal, or wider rather than break what is not to wrap.
+
+    Where the output is not a terminal nothing wraps.
+    """
+    console = _console()
+    measured = Measurement.get(console, console.options.update(max_width=10_000), lines)
+    needed = measured.minimum if console.is_terminal else measured.maximum
+    console.width = max(console.width, needed)
+    _show(console, lines)
 
 
 def table(*columns: str) -> Table:

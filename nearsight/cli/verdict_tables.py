@@ -12,21 +12,29 @@ from rich.table import Table
 from .tables import show
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from ..verify import Claim
     from ..verify.results import Report
 
 _STYLE = {"proved": "green", "supported": "cyan", "refuted": "red", "undecided": "yellow"}
 
 
-def print_verdicts(report: Report, single: bool) -> None:
-    """Print one row a claim and the counts, or for single claims also the evidence."""
+def print_verdicts(report: Report, single: bool, folder: Path | None = None) -> None:
+    """Print one row a claim and the counts, or for single claims also the evidence.
+
+    Then where the report is, if it has been written to a folder.
+    """
     from ..verify.report.words import SIGNS, effort, headline, word_of
 
     lines = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     lines.add_column("verdict", no_wrap=True)
-    lines.add_column("claim", overflow="fold", min_width=28)
-    lines.add_column("evidence", no_wrap=True)
-    lines.add_column("its proof rests on", overflow="fold")
+    # keys are searched for and pasted: they never break, the evidence wraps before
+    longest = max([28, *(len(claim.key) for claim in report.claims)])
+    lines.add_column("claim", no_wrap=True, min_width=longest)
+    lines.add_column("evidence")
+    longest = max((len(key) for v in report.verdicts for key in v.rests_on), default=0)
+    lines.add_column("its proof rests on", no_wrap=True, min_width=longest)
     for claim in report.claims:
         word = word_of(report, claim.key)
         engine, rests = "", ""
@@ -45,6 +53,8 @@ def print_verdicts(report: Report, single: bool) -> None:
     if report.mutations is not None:
         good = sum(one.good for one in report.mutations)
         click.echo(f"{good} of {len(report.mutations)} false statements rejected")
+    if folder is not None:
+        click.echo(f"report: {folder / 'report.html'} .md .json")
 
 
 def _print_evidence(report: Report, claim: Claim) -> None:

@@ -75,7 +75,7 @@ def COMMAND(as_json: bool, **given: Any) -> None:
         else:
             from .verdict_tables import print_verdicts
 
-            print_verdicts(found, single=bool(given["labels"]))
+            print_verdicts(found, bool(given["labels"]), given["report"])
     complaints = _complaints(found, given["record"])
     for line in complaints:
         click.echo(line, err=True)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from .output import size_of
 from .tables import number, show, table
 
 if TYPE_CHECKING:
@@ -83,7 +84,7 @@ def print_worst(found: Worsened, saved: Path | None) -> None:
     problem = worst.problem
     network = problem.network
     click.echo(
-        f"{network.source}: {problem.N} agents, {network.edges} edges; "
+        f"{network.source}: {size_of(problem.N, network.edges)}; "
         f"{problem.H} steps, actions of {problem.n} number{'s' * (problem.n > 1)}"
     )
     shown = (f"{name} = {getattr(promised.constants, name).value:g}" for name in _CONSTANTS)

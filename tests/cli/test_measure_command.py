@@ -286,10 +286,10 @@ def test_help_names_every_style():
 RING = "--graph ring:9 --mu 1 --l-f 2 --l-t 1 --l-s 1"
 SEEN = f"{RING} -k 3 -r 2"
 BAD = {
-    "-k 3 -r 2": ("--mu", "Missing"),
+    "-k 3 -r 2": ("--mu", "needed"),
     "--mu 1 --l-f 2 --l-t 1 --l-s 1 -k 3 -r 2": ("--graph needed", "ring:13"),
-    f"{RING} -r 2": ("-k", "Missing"),
-    f"{RING} -k 3": ("-r", "Missing"),
+    f"{RING} -r 2": ("-k", "needed"),
+    f"{RING} -k 3": ("-r", "needed"),
     f"{RING} -k 2.5 -r 2": ("-k", "2.5", "integer"),
     f"{RING} -k 1 -r 2": ("-k", "k = 1", "k >= 2"),
     f"{RING} -k 0 -r 2": ("-k", "k = 0", ">= 1"),

@@ -64,6 +64,30 @@ def test_one_claim_with_its_evidence():
     assert "lemma:one" not in done.stdout
 
 
+def test_keys_are_never_broken(monkeypatch, path):
+    long = Claim("sec:a-section-with-a-rather-long-name#and-a-part-of-it", "x", "x", "", (FALSE,))
+    blanks = Claim("thm: with blanks", "x", "x", "", (BLIND,), "one of its many parts, no less")
+    user = Claim("thm:user", "x", "x", "", (TRUE,), uses=(long.key,))
+    module = importlib.import_module("nearsight.verify.run")
+    monkeypatch.setattr(module, "catalogue", lambda: (long, blanks, user))
+    for terminal in (False, True):  # of 100 columns
+        monkeypatch.setattr("rich.console.Console.is_terminal", terminal)
+        lines = run().stdout.splitlines()
+        for claim in (long, blanks, user):
+            assert any(claim.key in line for line in lines)
+        (row,) = (line for line in lines if user.key in line)
+        assert long.key in row
+
+
+def test_one_is_no_plural(tmp_path):
+    assert "\n1 claim: 1 proved" in run("lemma:one").stdout
+    costs = "--mu 1 --l-f 2 --l-t 1 --l-s 0.1 -k 3 -r 1"
+    for command in ("bound", "simulate --horizon 3", "worst-case --horizon 3"):
+        words = f"{command} --graph path:2 {costs}".split()
+        assert "2 agents, 1 edge" in (out := CliRunner().invoke(cli, words).stdout)
+        assert "1 edges" not in out
+
+
 def test_a_changed_verdict_is_named_and_exits_1(path):
     path.write_text(json.dumps({"lemma:one": "refuted", "lemma:two": "refuted"}))
     done = run("--json")
@@ -100,7 +124,9 @@ def test_an_unknown_label_exits_2_and_names_near_ones():
 
 
 def test_the_report_lands_in_a_folder(tmp_path):
-    assert run("--report", tmp_path / "report").exit_code == 0
+    done = run("--report", tmp_path / "report")
+    assert done.exit_code == 0
+    assert done.stdout.endswith(f"\nreport: {tmp_path / 'report' / 'report.html'} .md .json\n")
     names = {path.name for path in (tmp_path / "report").iterdir()}
     assert names == {"report.html", "report.md", "report.json"}
 

@@ -59,4 +59,5 @@ def headline(report: Report) -> str:
     """Return one sentence with the counts."""
     counts = ", ".join(f"{count} {word}" for word, count in report.counts.items())
     failed = f", {len(report.errors)} without a verdict" if report.errors else ""
-    return f"{len(report.claims)} claims: {counts}{failed}"
+    claims = f"{len(report.claims)} claim{'s' * (len(report.claims) != 1)}"
+    return f"{claims}: {counts}{failed}"
