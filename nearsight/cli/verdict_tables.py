@@ -28,7 +28,8 @@ def print_verdicts(report: Report, single: bool, folder: Path | None = None) -> 
     from ..verify.report.words import SIGNS, effort, headline, word_of
 
     lines = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    lines.add_column("verdict", no_wrap=True)
+    longest = max((2 + len(word_of(report, claim.key)) for claim in report.claims), default=0)
+    lines.add_column("verdict", no_wrap=True, min_width=longest)
     # keys are searched for and pasted: they never break, the evidence wraps before
     longest = max([28, *(len(claim.key) for claim in report.claims)])
     lines.add_column("claim", no_wrap=True, min_width=longest)

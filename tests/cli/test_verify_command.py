@@ -75,6 +75,7 @@ def test_keys_are_never_broken(monkeypatch, path):
         lines = run().stdout.splitlines()
         for claim in (long, blanks, user):
             assert any(claim.key in line for line in lines)
+        assert not any("\N{HORIZONTAL ELLIPSIS}" in line for line in lines)
         (row,) = (line for line in lines if user.key in line)
         assert long.key in row
 

@@ -90,5 +90,5 @@ def test_a_missing_library_names_its_extra(method, extra, monkeypatch):
 
     problem = random_problem(9, 1)
     monkeypatch.setattr(builtins, "__import__", without)
-    with pytest.raises(InputError, match=rf"nearsight\[{extra}\]"):
+    with pytest.raises(InputError, match=rf"pip install {method} \(the extra {extra}\)"):
         optimum(problem, method=method)
