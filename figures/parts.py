@@ -41,6 +41,19 @@ def legend_below(figure: Figure, axes: Axes | list[Axes], **keywords: Any) -> Le
     return legend
 
 
+def style(name: str) -> float:
+    """Return a number of the style in use, such as ``"lines.markersize"``, in points."""
+    from matplotlib import rcParams
+
+    settings: Any = rcParams
+    return float(settings[name])
+
+
+def thin() -> float:
+    """Return the width of the thinnest lines of the style in use, in points."""
+    return style("axes.linewidth")
+
+
 def constants(subject: Subject, *names: str) -> str:
     """Return ``l_T = 1, l_S = 0.5, ...`` for some fields, in mathematics."""
     values = {_SYMBOLS.get(name, name): number(getattr(subject, name)) for name in names}

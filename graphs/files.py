@@ -79,7 +79,7 @@ def _gml(path: Path) -> AnyGraph:
     """Read GML as a multigraph, so that parallel edges are counted rather than a syntax error."""
     import networkx as nx
 
-    text = path.read_text(encoding="utf-8")
+    text = path.read_text(encoding="utf-8-sig")
     head, bracket, body = text.partition("[")
     before, node, after = body.partition("node")
     before = re.sub(r"\bmultigraph\s+\d+", "", before)
@@ -93,7 +93,7 @@ def _json(path: Path) -> AnyGraph:
     """Read node-link data; the edges are called `edges` by recent writers, `links` by others."""
     import networkx as nx
 
-    data = json.loads(path.read_text(encoding="utf-8"))
+    data = json.loads(path.read_text(encoding="utf-8-sig"))
     if not isinstance(data, dict) or "nodes" not in data:
         raise ValueError('node-link data is an object with "nodes" and "edges" (or "links")')
     edges = "edges" if "edges" in data else "links"
@@ -148,7 +148,7 @@ def _adjlist(path: Path) -> AnyGraph:
 
 def _lines(path: Path) -> list[tuple[int, list[str]]]:
     """Return the numbered lines as words, without comments and blanks."""
-    text = path.read_text(encoding="utf-8").splitlines()
+    text = path.read_text(encoding="utf-8-sig").splitlines()
     words = ((i, line.partition("#")[0].split()) for i, line in enumerate(text, start=1))
     return [(i, line) for i, line in words if line]
 

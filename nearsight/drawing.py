@@ -37,7 +37,7 @@ def draw(
     reuse : bool
         Take the data that lie in the folder already, if they are of the same subject.
     workers : int
-        Processes; 0 for one a core. More than one need ``nearsight[parallel]``.
+        Processes; 0 for one a core. More than one need joblib (the extra ``parallel``).
     progress : callable, optional
         Called as ``progress(done, total, text)`` now and then.
     **subject

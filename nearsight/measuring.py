@@ -46,7 +46,7 @@ def measure(
     clean : bool
         Drop directions, parallel edges and self-loops of a file or networkx graph.
     workers : int
-        Processes; 0 for one a core. More than one need ``nearsight[parallel]``.
+        Processes; 0 for one a core. More than one need joblib (the extra ``parallel``).
     cluster : str, optional
         Address of a Dask scheduler.
     checkpoint : path, optional

@@ -33,7 +33,7 @@ def verify_claims(
     level : {"quick", "full"}
         How hard the searches try.
     workers : int
-        Processes; 0 for one a core. More than one need ``nearsight[parallel]``.
+        Processes; 0 for one a core. More than one need joblib (the extra ``parallel``).
     checkpoint : path, optional
         A file that keeps what is done, and from which an interrupted run goes on. It counts for
         nothing once the code has changed.

@@ -8,6 +8,7 @@ import numpy as np
 
 from ...lpc.arrays import Floats
 from ..looks import FAINT, INK
+from ..parts import thin
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,13 +29,6 @@ def mark_here(panel: Axes, coupling: float) -> None:
     """Mark the strength that the subject has, if it has one."""
     if coupling > 0:
         panel.axvline(coupling, color=FAINT, linestyle=":", linewidth=2 * thin(), zorder=0)
-
-
-def thin() -> float:
-    """Return the width of a line that is no curve, of the style in use."""
-    from matplotlib import rcParams
-
-    return float(rcParams["axes.linewidth"])
 
 
 def logarithmic(panel: Axes, values: Floats) -> None:

@@ -8,8 +8,8 @@ import numpy as np
 
 from ...lpc.arrays import Floats
 from ..looks import FAINT, PAPER
+from ..parts import thin
 from ..table import Table
-from ._couplings import thin
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import networkx as nx
 import numpy as np
@@ -15,8 +15,9 @@ from ...lpc.arrays import Floats
 from ..looks import FAINT, INK
 from ..size import Size
 from ..subject import Subject
+from ..table import Table
 from ._places import part, places
-from ._text import shown
+from ._text import Wish, label, shown
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -95,13 +96,6 @@ def check_step(subject: Subject) -> None:
         raise InputError(f"t = {subject.t}: there are the steps 1..{subject.horizon}", "t")
 
 
-def thin_line() -> float:
-    """Return the width of the thinnest lines of the size that is drawn, in points."""
-    from matplotlib import rcParams
-
-    return float(rcParams["axes.linewidth"])
-
-
 def step_name(tau: int, t: int, horizon: int) -> str:
     """Return ``t + 1`` in mathematics, and that a step lies beyond the horizon."""
     name = "t" if tau == t else f"t{tau - t:+d}"
@@ -123,6 +117,38 @@ def head_parts(subject: Subject, agent: int, drawn: int) -> list[str]:
     if drawn < network.vertices:
         parts.append(f"the {drawn} nearest of {network.vertices} agents")
     return parts
+
+
+class Stage(NamedTuple):
+    """An empty picture in space-time: where its marks will stand, and how large they are."""
+
+    figure: Figure
+    axes: Axes
+    layers: Layers
+    nodes: list[dict[str, Any]]
+    radius: float
+    today: Floats
+
+    @classmethod
+    def of(cls, table: Table, subject: Subject, size: Size) -> Stage:
+        """Return the stage for the agents and nodes of a table, one layer a step, time upwards."""
+        at = {row["agent"]: (row["x"], row["y"]) for row in table.where(kind="agent").records()}
+        nodes = table.where(kind="node").records()
+        layers = Layers(tuple(dict.fromkeys(row["step"] for row in nodes)), at)
+        high = 0.27 if span_of(len(at)) == "column" else 0.14
+        high *= len(layers.steps) * (0.65 + layers.tall / 2)
+        figure = size.figure(span_of(len(at)), 0.12 + high)
+        axes = figure.subplots()
+        names = [step_name(tau, subject.t, subject.horizon) for tau in layers.steps]
+        layers.frame(axes, names)
+        today = layers.today(axes, subject.t)
+        return cls(figure, axes, layers, nodes, layers.radius(figure, size), today)
+
+    def name(self, wishes: Sequence[Wish], lines: Floats, size: Size) -> None:
+        """Write names where there is room beside marks and lines."""
+        marks = self.layers.points([(row["step"], row["agent"]) for row in self.nodes])
+        looks = {"fontsize": float(size.settings["font.size"]) - 1, "color": INK}
+        label(self.axes, wishes, marks, lines, self.radius, **looks)
 
 
 @dataclass(frozen=True)

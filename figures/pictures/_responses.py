@@ -8,8 +8,9 @@ import numpy as np
 
 from ...lpc.arrays import Floats
 from ..looks import INK, PAPER, SHARP, STATED
+from ..parts import thin
 from ..table import Table
-from ._layers import Layers, thin_line
+from ._layers import Layers
 from ._text import log_axis
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ def draw_lines(axes: Axes, layers: Layers, table: Table, nodes: list[dict[str, A
     kept = sorted({pair for pair in pairs if free & set(pair)})
     lines = [[layers.at(*a), layers.at(*b)] for a, b in kept]
     axes.add_collection(
-        LineCollection(lines, colors="0.7", linewidths=thin_line(), zorder=1), autolim=False
+        LineCollection(lines, colors="0.7", linewidths=thin(), zorder=1), autolim=False
     )
     return np.array(lines, dtype=np.float64).reshape(-1, 2, 2)
 
@@ -47,7 +48,7 @@ def draw_marks(
     def scatter(rows: list[dict[str, Any]], scale: Any, **looks: Any) -> Any:
         x, y = layers.points([(row["step"], row["agent"]) for row in rows]).T
         sizes = (2 * radius * np.asarray(scale)) ** 2
-        return axes.scatter(x, y, s=sizes, linewidth=thin_line(), **{"zorder": 3, **looks})
+        return axes.scatter(x, y, s=sizes, linewidth=thin(), **{"zorder": 3, **looks})
 
     free = [row for row in nodes if row["part"] == "free"]
     still = [row for row in free if row["response"] < norm.vmin]

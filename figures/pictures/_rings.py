@@ -10,7 +10,7 @@ import numpy as np
 from ...graphs import Network
 from ...lowerbounds.ring import Ring
 from ...lpc.arrays import Floats
-from ._layers import thin_line
+from ..parts import thin
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -71,7 +71,7 @@ def draw_network(
     from matplotlib.collections import LineCollection
 
     lines = np.array([(at[a], at[b]) for a, b in edges], dtype=np.float64).reshape(-1, 2, 2)
-    thin = thin_line()
+    line = thin()
     axes.add_collection(
         LineCollection(list(lines), colors="0.72", linewidths=sizes["edge"], zorder=1)
     )
@@ -90,7 +90,7 @@ def draw_network(
             cmap="cividis",
             marker=mark,
             edgecolor="0.1",
-            linewidth=thin,
+            linewidth=line,
             zorder=3 + (mark != "o"),
             plotnonfinite=True,
             clip_on=False,

@@ -15,12 +15,12 @@ from ...graphs import InputError
 from ...lowerbounds import Spatial, asymmetric_excess, worst_case
 from ...lpc.instances import instance
 from ..looks import EXACT, INK, LOOKS, SHARP, TIERS
-from ..parts import constants, legend_below, network_name
+from ..parts import constants, legend_below, network_name, style, thin
 from ..picture import Picture, Progress
 from ..size import Size
 from ..subject import Subject
 from ..table import Table
-from ._couplings import count_axis, say, thin
+from ._couplings import count_axis, say
 from ._text import heading
 
 if TYPE_CHECKING:
@@ -127,7 +127,9 @@ def _panel(panel: Axes, direction: str, rows: Table) -> None:
         return
     star = finite.numbers("star")
     measured, certified = (finite.numbers(name) / star for name in ("measured", "certified"))
-    wide = SHARP.plot(label="certified, any costs (sharp)", markersize=2 * _mark())
+    wide = SHARP.plot(
+        label="certified, any costs (sharp)", markersize=2 * style("lines.markersize")
+    )
     panel.plot(star, certified, **wide)  # seen also where the next line covers it
     panel.plot(star, measured, **EXACT.plot(label="exact worst case, uniform couplings"))
     factors = {row["tier"]: row["factor"] for row in limits.records() if row["factor"] is not None}
@@ -144,12 +146,6 @@ def _panel(panel: Axes, direction: str, rows: Table) -> None:
     panel.set_xticks(star[:: -(-len(star) // 10)])
     panel.set_xlim(0.5, max(star) + 0.5)
     panel.grid(axis="y")
-
-
-def _mark() -> float:
-    from matplotlib import rcParams
-
-    return float(rcParams["lines.markersize"])
 
 
 PICTURE = Picture(

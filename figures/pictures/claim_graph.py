@@ -14,12 +14,11 @@ from ...verify import catalogue
 from ...verify.recorded import recorded
 from ...verify.report.layout import Layout, boxes_of, layout, uses_between
 from ..looks import FAINT, INK, PAPER, VERDICTS
-from ..parts import legend_below
+from ..parts import legend_below, thin
 from ..picture import Picture, Progress
 from ..size import Size
 from ..subject import Subject
 from ..table import Table
-from ._layers import thin_line
 from ._text import heading
 from ._verdicts import verdicts
 
@@ -139,7 +138,7 @@ def _edge(axes: Axes, at: Any, part: Any, broken: bool) -> None:
             codes.append(Path.LINETO)
     looks: dict[str, Any] = _broken() if broken else {"color": FAINT}
     curve = Path(np.array(points), [int(code) for code in codes])
-    axes.add_patch(PathPatch(curve, fill=False, linewidth=1.3 * thin_line(), zorder=1, **looks))
+    axes.add_patch(PathPatch(curve, fill=False, linewidth=1.3 * thin(), zorder=1, **looks))
 
 
 def _fitted(axes: Axes, names: list[str], part: Any) -> dict[str, tuple[str, float]]:
@@ -179,8 +178,8 @@ def _box(
     """Draw a box with its label, and a cell a claim."""
     from matplotlib.patches import Rectangle
 
-    thin = thin_line()
-    looks: dict[str, Any] = {"facecolor": PAPER, "edgecolor": "0.35", "linewidth": thin}
+    line = thin()
+    looks: dict[str, Any] = {"facecolor": PAPER, "edgecolor": "0.35", "linewidth": line}
     axes.add_patch(Rectangle(corner, *part, zorder=2, **looks))
     upper = part[1] * (1 - CELLS)
     axes.text(
@@ -196,12 +195,12 @@ def _box(
         edge: Any = {
             "facecolor": fill or PAPER,
             "edgecolor": fill or FAINT,
-            "linewidth": 0.7 * thin,
+            "linewidth": 0.7 * line,
         }
         axes.add_patch(Rectangle((x, y), wide, high, zorder=3, **edge))
         if word == "refuted":  # seen in grey, too
             for ends in ((y, y + high), (y + high, y)):
-                axes.plot((x, x + wide), ends, color=PAPER, linewidth=thin, zorder=4)
+                axes.plot((x, x + wide), ends, color=PAPER, linewidth=line, zorder=4)
 
 
 PICTURE = Picture(

@@ -10,12 +10,12 @@ import numpy as np
 from ...bounds import Parameters, bounds_for
 from ...lpc.arrays import Floats
 from ..looks import INK, LOWER, REPAIRED, SHARP, STATED
-from ..parts import legend_below, network_name
+from ..parts import legend_below, network_name, thin
 from ..picture import Picture, Progress
 from ..size import Size
 from ..subject import Subject
 from ..table import Table
-from ._couplings import count_axis, grid, logarithmic, mark_here, rate_axis, say, thin
+from ._couplings import count_axis, grid, logarithmic, mark_here, rate_axis, say
 from ._text import heading
 
 if TYPE_CHECKING:

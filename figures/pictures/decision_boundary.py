@@ -9,13 +9,13 @@ import numpy as np
 from ...lpc.arrays import Floats
 from ...lpc.information import information_set
 from ..looks import BOTTOM, FAINT, INK, LATERAL, OWN, PAPER, TOP
-from ..parts import legend_below
+from ..parts import legend_below, thin
 from ..picture import Picture, Progress
 from ..size import Size
 from ..subject import Subject
 from ..table import Table
-from ._layers import Layers, Part, agent_of, check_step, head_parts, span_of, step_name, thin_line
-from ._text import Wish, heading, label, shown
+from ._layers import Layers, Part, Stage, agent_of, check_step, head_parts
+from ._text import Wish, heading, shown
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -83,22 +83,14 @@ def compute(subject: Subject, progress: Progress) -> Table:
 
 def draw(table: Table, subject: Subject, size: Size) -> Figure:
     """Draw the network once a step, time upwards: the top of the boundary is on top."""
+    stage = Stage.of(table, subject, size)
+    layers = stage.layers
+    lines = np.concatenate([stage.today, _lines(stage.axes, layers, table)])
+    _marks(stage.axes, layers, stage.nodes, stage.radius)
+    own = agent_of(subject, SUBJECT, MIDDLE)
+    heading(stage.figure, head_parts(subject, own, len(layers.places)))
+    legend_below(stage.figure, stage.axes)
     agents = table.where(kind="agent").records()
-    at = {row["agent"]: (row["x"], row["y"]) for row in agents}
-    nodes = table.where(kind="node").records()
-    steps = tuple(dict.fromkeys(row["step"] for row in nodes))
-    layers = Layers(steps, at)
-    high = 0.27 if span_of(len(at)) == "column" else 0.14
-    figure = size.figure(span_of(len(at)), 0.12 + high * len(steps) * (0.65 + layers.tall / 2))
-    axes = figure.subplots()
-    layers.frame(axes, [step_name(tau, subject.t, subject.horizon) for tau in steps])
-    today = layers.today(axes, subject.t)
-    radius = layers.radius(figure, size)
-    lines = np.concatenate([today, _lines(axes, layers, table)])
-    _marks(axes, layers, nodes, radius)
-    heading(figure, head_parts(subject, agent_of(subject, SUBJECT, MIDDLE), len(at)))
-    legend_below(figure, axes)
-    marks = layers.points([(row["step"], row["agent"]) for row in nodes])
     agents.sort(key=lambda row: (row["distance"] is None, row["distance"], row["agent"]))
     names = {row["agent"]: shown(subject.network.names[row["agent"]]) for row in agents}
     wishes = [
@@ -106,9 +98,8 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
         for tau in layers.named(subject.t)
         for u, text in names.items()
     ]
-    looks = {"fontsize": float(size.settings["font.size"]) - 1, "color": INK}
-    label(axes, wishes, marks, lines, radius, **looks)
-    return figure
+    stage.name(wishes, lines, size)
+    return stage.figure
 
 
 def _lines(axes: Axes, layers: Layers, table: Table) -> Floats:
@@ -127,7 +118,7 @@ def _lines(axes: Axes, layers: Layers, table: Table) -> Floats:
             if row["kind"] in ("temporal", "spatial")
         ]
         style: Any = "-" if matters else (0, (2.5, 2.5))
-        looks = {"linewidth": width * thin_line(), "linestyle": style, "zorder": 1 + 0.1 * matters}
+        looks = {"linewidth": width * thin(), "linestyle": style, "zorder": 1 + 0.1 * matters}
         axes.add_collection(LineCollection(lines, colors=colour, **looks), autolim=False)
         if text:
             axes.plot([], [], color=colour, label=text, **looks)
@@ -153,7 +144,7 @@ def _marks(axes: Axes, layers: Layers, nodes: list[dict[str, Any]], radius: floa
                 marker=mark,
                 facecolor=colour,
                 edgecolor=FAINT if faint or part == "outside" else INK,
-                linewidth=1.2 * thin_line(),
+                linewidth=1.2 * thin(),
                 label="" if faint else text,
                 zorder=3,
                 clip_on=False,

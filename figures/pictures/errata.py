@@ -10,12 +10,11 @@ from ...verify import Evidence, catalogue
 from ...verify.recorded import recorded
 from ...verify.run import run
 from ..looks import FAINT, INK, VERDICTS
-from ..parts import legend_below
+from ..parts import legend_below, style, thin
 from ..picture import Picture, Progress
 from ..size import Size
 from ..subject import Subject
 from ..table import Table
-from ._couplings import thin
 from ._verdicts import verdicts
 
 if TYPE_CHECKING:
@@ -72,7 +71,7 @@ def draw(table: Table, subject: Subject, size: Size) -> Figure:
     low = 10.0 ** max(-_FAR, float(np.floor(np.log10(min(positive, default=0.1)))))
     room = figure.bbox.height / figure.dpi * 72 / (half + 8)  # points a row
     for panel, column in zip(panels, (rows[:half], rows[half:]), strict=True):
-        _bars(panel, column, low, min(0.86 * room, _small()))
+        _bars(panel, column, low, min(0.86 * room, style("font.size") - 1.5))
         panel.set_ylim(half - 0.3, -0.7)
         panel.set_xlabel("right side / left side")
     for group, colour in _GROUPS.items():
@@ -128,12 +127,6 @@ def _short(key: str) -> str:
         return key
     half = (_LONGEST - 1) // 2
     return f"{key[:half]}\N{HORIZONTAL ELLIPSIS}{key[-half:]}"
-
-
-def _small() -> float:
-    from matplotlib import rcParams
-
-    return float(rcParams["font.size"]) - 1.5
 
 
 PICTURE = Picture(

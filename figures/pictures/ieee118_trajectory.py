@@ -11,13 +11,13 @@ from ...lpc.arrays import Floats
 from ...lpc.instances import instance
 from ...lpc.simulation import Simulation, simulate
 from ..looks import INK, NEARSIGHTED, OPTIMUM, PLANNED
-from ..parts import constants, legend_below, network_name, number
+from ..parts import constants, legend_below, network_name, number, thin
 from ..picture import Picture, Progress
 from ..size import Size
 from ..subject import Subject
 from ..table import Table
 from ._couplings import say
-from ._layers import Part, thin_line
+from ._layers import Part
 from ._rings import draw_network
 from ._text import Wish, heading, label, log_axis, log_ticks, shown
 
@@ -146,7 +146,7 @@ def _panels(panels: list[Axes], table: Table, subject: Subject, chosen: list[int
         for name, look in looks.items():
             line = look.plot(label=texts[name])
             if name == "optimum":  # thin, and above the others
-                line |= {"linewidth": 1.4 * thin_line(), "zorder": 3}
+                line |= {"linewidth": 1.4 * thin(), "zorder": 3}
             panel.plot(rows.numbers("step"), rows.numbers(name), **line)
         sign = {"*": "star", "D": "diamond"}[mark]
         panel.set_title(f"action of agent {shown(subject.network.names[u])} ({sign})")

@@ -10,13 +10,13 @@ from ...graphs import Network
 from ...lpc.arrays import Floats
 from ...lpc.information import information_set
 from ..looks import BOTTOM, FAINT, INK, OWN, PAPER, SPATIAL, TEMPORAL
-from ..parts import legend_below
+from ..parts import legend_below, thin
 from ..picture import Picture, Progress
 from ..size import Size
 from ..subject import Subject
 from ..table import Table
-from ._layers import Layers, Part, agent_of, check_step, head_parts, span_of, step_name, thin_line
-from ._text import Wish, heading, label, shown
+from ._layers import Layers, Part, Stage, agent_of, check_step, head_parts
+from ._text import Wish, heading, shown
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -68,25 +68,14 @@ def compute(subject: Subject, progress: Progress) -> Table:
 
 def draw(table: Table, subject: Subject, size: Size) -> Figure:
     """Draw the network once a step, time upwards."""
-    at = {row["agent"]: (row["x"], row["y"]) for row in table.where(kind="agent").records()}
-    nodes = table.where(kind="node").records()
-    steps = tuple(dict.fromkeys(row["step"] for row in nodes))
-    layers = Layers(steps, at)
-    high = 0.27 if span_of(len(at)) == "column" else 0.14
-    figure = size.figure(span_of(len(at)), 0.12 + high * len(steps) * (0.65 + layers.tall / 2))
-    axes = figure.subplots()
-    layers.frame(axes, [step_name(tau, subject.t, subject.horizon) for tau in steps])
-    today = layers.today(axes, subject.t)
-    radius = layers.radius(figure, size)
-    lines = np.concatenate([today, _lines(axes, layers, table)])
-    _marks(axes, layers, nodes, radius, (subject.t, agent_of(subject, SUBJECT, MIDDLE)))
-    heading(figure, head_parts(subject, agent_of(subject, SUBJECT, MIDDLE), len(at)))
-    legend_below(figure, axes)
-    marks = layers.points([(row["step"], row["agent"]) for row in nodes])
-    wishes = _wishes(layers, table, subject)
-    looks = {"fontsize": float(size.settings["font.size"]) - 1, "color": INK}
-    label(axes, wishes, marks, lines, radius, **looks)
-    return figure
+    stage = Stage.of(table, subject, size)
+    own = agent_of(subject, SUBJECT, MIDDLE)
+    lines = np.concatenate([stage.today, _lines(stage.axes, stage.layers, table)])
+    _marks(stage.axes, stage.layers, stage.nodes, stage.radius, (subject.t, own))
+    heading(stage.figure, head_parts(subject, own, len(stage.layers.places)))
+    legend_below(stage.figure, stage.axes)
+    stage.name(_wishes(stage.layers, table, subject), lines, size)
+    return stage.figure
 
 
 def _lines(axes: Axes, layers: Layers, table: Table) -> Floats:
@@ -109,7 +98,7 @@ def _lines(axes: Axes, layers: Layers, table: Table) -> Floats:
                 )
                 for row in rows
             ]
-            scale = width * thin_line()
+            scale = width * thin()
             drawn: Any = LineCollection(
                 lines,
                 colors=colour,
@@ -139,7 +128,7 @@ def _marks(
         rest = [row for row in nodes if row["state"] == state and not row["action"]]
         return [row for row in rest if (row["step"], row["agent"]) != own]
 
-    thin = 1.2 * thin_line()
+    line = 1.2 * thin()
     mine = [row for row in nodes if (row["step"], row["agent"]) == own]
     taken = [row for row in nodes if row["action"]]
     scatter(
@@ -149,23 +138,23 @@ def _marks(
         color=OWN,
         edgecolor=INK,
         marker="D",
-        linewidth=thin,
+        linewidth=line,
     )
-    scatter(of(KNOWN), "node cost $f$, known", color=INK, linewidth=thin)
+    scatter(of(KNOWN), "node cost $f$, known", color=INK, linewidth=line)
     scatter(
         of(UNKNOWN),
         "node cost $f$, unknown",
         0.85,
         facecolor=PAPER,
         edgecolor=FAINT,
-        linewidth=thin,
+        linewidth=line,
     )
     scatter(
-        taken, "action taken, known", 1.15, color=BOTTOM, edgecolor=INK, marker="v", linewidth=thin
+        taken, "action taken, known", 1.15, color=BOTTOM, edgecolor=INK, marker="v", linewidth=line
     )
     if of(BEYOND):
         scatter(
-            of(BEYOND), "beyond the horizon: no costs", 0.7, color=FAINT, marker="x", linewidth=thin
+            of(BEYOND), "beyond the horizon: no costs", 0.7, color=FAINT, marker="x", linewidth=line
         )
 
 

@@ -80,8 +80,8 @@ def _panel(panel: Axes, rows: Table, whole: Table) -> None:
         values = rows.numbers(tier)
         none = " (none here)" if np.isnan(whole.numbers(tier)).all() else ""
         panel.plot(r, values, **LOOKS[tier].plot(label=f"{tier}{none}"))
-    if not np.isnan(rows.numbers("searched")).all():
-        panel.plot(r, rows.numbers("searched"), **SEARCHED.plot(label="searched couplings"))
+    large = f" (up to {_SMALL} actions)" if np.isnan(whole.numbers("searched")).all() else ""
+    panel.plot(r, rows.numbers("searched"), **SEARCHED.plot(label=f"searched couplings{large}"))
     panel.plot(r, rows.numbers("worst"), **EXACT.plot(label="exact worst case, uniform"))
     panel.plot(r, rows.numbers("lower"), **LOWER.plot(label="floor of every algorithm"))
     panel.fill_between(
@@ -97,7 +97,8 @@ PICTURE = Picture(
     caption="No algorithm that sees k steps and r hops gets below the floor on all costs with "
     "these constants; LPC is certified to stay below the sharp line on all of them. Its exact "
     "worst case over all targets is shown for uniform couplings (which may lie below the floor) "
-    "and for couplings that a short climb found to be worse.",
+    "and, in networks of at most 50 actions over all steps, for couplings that a short climb found "
+    "to be worse.",
     compute=compute,
     draw=draw,
     subject=Subject("ring:8", l_T=1, l_S=0.5, horizon=6, k=5, r=4),

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import sys
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from .options import FINITE, JSON, input_errors, option_of, options, strengths
+from .options import FINITE, JSON, PROCESSES, input_errors, option_of, options, strengths
 from .output import Progress, print_json
 
 if TYPE_CHECKING:
@@ -49,12 +48,7 @@ _HOW = [
         help="Take the data that lie in DIR, if they are of the same subject: to change size or "
         "format, or to go on after an interruption.",
     ),
-    click.option(
-        "--workers",
-        type=int,
-        default=0 if find_spec("joblib") else 1,
-        help="Processes; 0, the default where joblib is installed, for one a core.",
-    ),
+    PROCESSES,
 ]
 
 

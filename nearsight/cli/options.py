@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from contextlib import contextmanager
+from importlib.util import find_spec
 from typing import Any
 
 import click
@@ -66,6 +67,13 @@ COSTS = [
 ]
 
 _RENAMED = {"H": "--horizon", "n": "--dimension"}
+
+PROCESSES = click.option(
+    "--workers",
+    type=int,
+    default=0 if find_spec("joblib") else 1,
+    help="Processes; 0, the default where joblib is installed, for one a core.",
+)
 
 JSON = click.option("--json", "as_json", is_flag=True, help="Print one JSON document.")
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import sys
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from .options import JSON, input_errors, options
+from .options import JSON, PROCESSES, input_errors, options
 from .output import Progress, print_json
 
 if TYPE_CHECKING:
@@ -24,12 +23,7 @@ _OPTIONS = [
         show_default=True,
         help="How hard the searches try.",
     ),
-    click.option(
-        "--workers",
-        type=int,
-        default=0 if find_spec("joblib") else 1,
-        help="Processes; 0, the default where joblib is installed, for one a core.",
-    ),
+    PROCESSES,
     click.option(
         "--checkpoint",
         type=click.Path(path_type=Path),

@@ -221,3 +221,20 @@ def test_ieee118():
     # bus 49 has the most lines, bus 10 hangs on bus 9 alone
     assert max(graph.degree(), key=lambda pair: pair[1]) == ("49", 9)
     assert list(graph["10"]) == ["9"]
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("g.edgelist", "a b\nb c\n"),
+        ("g.adjlist", "a b\nb c\n"),
+        (
+            "g.json",
+            '{"nodes": [{"id": "a"}, {"id": "b"}], "edges": [{"source": "a", "target": "b"}]}',
+        ),
+    ],
+)
+def test_a_byte_order_mark_is_no_part_of_a_name(name, text, tmp_path):
+    path = tmp_path / name
+    path.write_bytes(b"\xef\xbb\xbf" + text.encode())
+    assert read_graph(path).names[:2] == ("a", "b")

@@ -66,3 +66,29 @@ def two_squares() -> Decision:
         "as it stands",
         false=(lambda a, b: ([], (a + b) ** 2, 2 * a * a + b * b),),
     )
+
+
+def terms(reason: str) -> Decision:
+    """Return the step of ``sum of n terms <= n B`` from n to n + 1, for terms of at most B.
+
+    Parameters
+    ----------
+    reason : str
+        What the terms are, and why each is at most B.
+    """
+    return Decision(
+        ("n", "S", "term", "B"),
+        lambda n, S, term, B: (
+            [n >= 0, B >= 0, n * B >= S, term <= B],
+            S + term,
+            (n + 1) * B,
+        ),
+        reason,
+        false=(
+            lambda n, S, term, B: (
+                [n >= 0, B >= 0, n * B >= S, term <= 2 * B],
+                S + term,
+                (n + 1) * B,
+            ),
+        ),
+    )

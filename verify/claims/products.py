@@ -11,6 +11,7 @@ from ..engines.decision import Decision
 from ..engines.search import Search, Trial
 from ..engines.symbolic import Identity
 from ._sampled import lemma
+from ._sums import terms
 
 POWER, WALKS, BOUND = "thm: l-power", "le:J-properties", "le:J-bound"
 
@@ -138,22 +139,9 @@ CLAIMS: tuple[Claim, ...] = (
         "b = sum_q (gamma_S/gamma_S')^q h(q).",
         "Assumption 2.1, gamma_S < gamma_S' < 1",
         (
-            Decision(
-                ("n", "S", "term", "B"),
-                lambda n, S, term, B: (
-                    [n >= 0, B >= 0, n * B >= S, term <= B],
-                    S + term,
-                    (n + 1) * B,
-                ),
+            terms(
                 "a sum of n terms of at most B each: le:J-properties counts them, and B = (2 b l_T"
-                "/mu)^l gamma_S'^d is thm: l-power for factors |A| |D^-1| <= l_T (2/mu) gamma_S^d",
-                false=(
-                    lambda n, S, term, B: (
-                        [n >= 0, B >= 0, n * B >= S, term <= 2 * B],
-                        S + term,
-                        (n + 1) * B,
-                    ),
-                ),
+                "/mu)^l gamma_S'^d is thm: l-power for factors |A| |D^-1| <= l_T (2/mu) gamma_S^d"
             ),
             Search(
                 lemma(BOUND, "stated"),

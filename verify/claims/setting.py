@@ -7,6 +7,7 @@ from fractions import Fraction as Q
 from ..claim import Claim
 from ..engines.decision import Decision
 from ..engines.exact import Counterexample
+from ._sums import terms
 
 PERTURB = "sec:main:perturb#optimality"
 
@@ -92,22 +93,9 @@ CLAIMS: tuple[Claim, ...] = (
         "h(r) <= 2 (2r+1)^(m-1) on a grid of dimension m.",
         "m >= 1, r >= 0",
         (
-            Decision(
-                ("n", "S", "term", "B"),
-                lambda n, S, term, B: (
-                    [n >= 0, B >= 0, n * B >= S, term <= B],
-                    S + term,
-                    (n + 1) * B,
-                ),
+            terms(
                 "h_1 <= 2, and h_m(r) = sum_(|j| <= r) h_(m-1)(r - |j|) has 2r + 1 terms of at "
-                "most B = 2 (2r+1)^(m-2); S is the sum of the first n",
-                false=(
-                    lambda n, S, term, B: (
-                        [n >= 0, B >= 0, n * B >= S, term <= 2 * B],
-                        S + term,
-                        (n + 1) * B,
-                    ),
-                ),
+                "most B = 2 (2r+1)^(m-2); S is the sum of the first n"
             ),
         ),
         kind="remark",

@@ -10,7 +10,9 @@ from ..results import Report
 
 SIGNS = {"proved": "✓", "supported": "≈", "refuted": "✗", "undecided": "?"}
 MEANINGS = {
-    "proved": "by algebra, by a decision procedure, or by interval arithmetic over the whole range",
+    "proved": "by algebra, by a decision procedure, or by interval arithmetic over the whole "
+    "range: of the statement, or of the step to which the argument beside it reduces it; that "
+    "argument is for the reader to check",
     "supported": "no violation among instances that try to break it",
     "refuted": "an explicit instance inside the hypotheses violates it",
     "undecided": "no verdict: a check gave up",
